@@ -1,0 +1,174 @@
+#include <boost/math/quadrature/gauss.hpp>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "albedo/core/errors.hpp"
+#include "albedo/curve.hpp"
+#include "analysis/commands/checks.hpp"
+#include "analysis/commands/commands.hpp"
+#include "analysis/commands/model_arguments.hpp"
+#include "analysis/commands/options.hpp"
+#include "analysis/commands/provenance.hpp"
+#include "analysis/commands/text.hpp"
+#include "analysis/output/atomic_file.hpp"
+
+namespace albedo::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  ModelArguments model;
+  ComputeOptions options;
+  double phi = 0;
+  std::string output;
+  std::vector<Assertion> assertions;
+};
+
+double theta_degrees(double cos_theta) { return Direction::from_cosine(cos_theta).theta_degrees(); }
+
+Json describe(const Model& model, const Arguments& arguments, const AlbedoCurve& curve) {
+  Json object{{"model", model.info().name}, {"parameters", parameters_json(model.parameters())}};
+  arguments.options.describe(object);
+  object["phi_deg"] = arguments.phi;
+  object["form"] = curve.form() == CurveForm::rational ? "rational" : "monotone";
+  object["node_count"] = curve.nodes().size();
+  object["relative_bound"] = curve.relative_bound();
+  object["grazing_exponent"] = curve.grazing_exponent();
+  object["evaluations"] = curve.evaluations();
+  object["status"] = to_string(curve.status());
+  return object;
+}
+
+Json with_nodes(Json object, const AlbedoCurve& curve) {
+  object["nodes"] = Json::array();
+  for (const auto& [cos_theta, estimate] : curve.nodes()) {
+    object["nodes"].push_back({{"theta_deg", theta_degrees(cos_theta)},
+                               {"cos_theta", cos_theta},
+                               {"albedo", estimate.value},
+                               {"error", estimate.error}});
+  }
+  return object;
+}
+
+void write_csv(const Json& provenance, const AlbedoCurve& curve, std::ostream& out) {
+  for (const auto& [key, item] : provenance.items()) {
+    out << "# " << key << ": " << comment_text(item.is_string() ? item : Json(json_text(item))) << '\n';
+  }
+  out << "theta_deg,cos_theta,albedo,error\n";
+  for (const auto& [cos_theta, estimate] : curve.nodes()) {
+    out << number_text(theta_degrees(cos_theta)) << ',' << number_text(cos_theta) << ',' << number_text(estimate.value)
+        << ',' << number_text(estimate.error) << '\n';
+  }
+}
+
+/// The nodes as a table over cosθ, for the formats that hold nothing else.
+void write_nodes(const Json& provenance, const AlbedoCurve& curve, const std::string& path) {
+  Axis axis{.name = "cos_theta"};
+  std::vector<double> values, errors;
+  for (const auto& [cos_theta, estimate] : curve.nodes()) {
+    axis.values.push_back(cos_theta);
+    values.push_back(estimate.value);
+    errors.push_back(estimate.error);
+  }
+  write_table({.name = provenance["model"].get<std::string>() + "_albedo",
+               .axes = {axis},
+               .values = values.data(),
+               .errors = errors.data(),
+               .provenance = provenance},
+              path);
+}
+
+void write(const Json& provenance, const AlbedoCurve& curve, const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (path != "-" && ending != ".csv" && ending != ".json") {
+    write_nodes(provenance, curve, path);
+    return;
+  }
+  AtomicFile file(path);
+  if (ending == ".json") {
+    file.stream() << json_text(with_nodes(provenance, curve)) << '\n';
+  } else {
+    write_csv(provenance, curve, file.stream());
+  }
+  file.commit();
+}
+
+/// 2 ∫ a(μ) μ dμ over [0, 1], interval by interval of the nodes: the albedo under light from everywhere.
+double hemispherical_mean(const AlbedoCurve& curve) {
+  double sum = 0, upper = 1;
+  for (std::size_t i = 0; i <= curve.nodes().size(); ++i) {
+    const double lower = i < curve.nodes().size() ? curve.nodes()[i].cos_theta : 0;
+    if (lower == upper) continue;
+    sum +=
+        boost::math::quadrature::gauss<double, 7>::integrate([&](double c) { return 2 * c * curve(c); }, lower, upper);
+    upper = lower;
+  }
+  return sum;
+}
+
+/// Extremes of the nodes and of the limit at grazing incidence.
+Facts facts_of(const AlbedoCurve& curve) {
+  std::vector<double> values{curve(0)};
+  for (const AlbedoCurve::Node& node : curve.nodes()) values.push_back(node.albedo.value);
+  const Extent extent = extent_of(values);
+  return {.at = [&curve](double theta, double) { return curve(Direction::from_degrees(theta).cos_theta); },
+          .max = extent.max,
+          .min = extent.min,
+          .mean = hemispherical_mean(curve),
+          .error = curve.relative_bound(),
+          .evaluations = static_cast<double>(curve.evaluations())};
+}
+
+int run(const Arguments& arguments, const std::string& command_line) {
+  const std::unique_ptr<Model> model = arguments.model.make();
+  const std::string output = arguments.output.empty() && !arguments.options.json ? "-" : arguments.output;
+  if (output == "-" && arguments.options.json)
+    throw ParameterError("--json and --output - would both use standard output");
+  check_answerable(
+      arguments.assertions, [&](double, double phi) { return phi == arguments.phi; },
+      "the curve is that of another --phi");
+  if (!output.empty()) check_table_path(output, {{.name = "cos_theta"}});
+
+  CurveOptions options{.albedo = arguments.options.albedo()};
+  options.phi_degrees = arguments.phi;
+  const AlbedoCurve curve(*model, options);
+
+  const Json description = describe(*model, arguments, curve);
+  if (!output.empty()) {
+    Json provenance = begin_provenance(command_line);
+    provenance.update(description);
+    write(provenance, curve, output);
+  }
+  if (arguments.options.json) std::cout << json_text(with_nodes(description, curve)) << '\n';
+  const std::size_t missed = curve.status() == Status::converged ? 0 : 1;
+  return concluding_exit_code(arguments.assertions, facts_of(curve), {1, missed});
+}
+
+}  // namespace
+
+Command add_curve(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* const app =
+      program.add_subcommand("curve", "the albedo from normal to grazing incidence, with as many nodes as needed");
+  add_model_arguments(*app, arguments->model);
+  add_number(*app, "--phi", arguments->phi, "azimuth of L in degrees")->type_name("DEG");
+  app->add_option("-o,--output", arguments->output,
+                  "a .csv, .json, .npy, .exr or .hpp; default: CSV on standard output")
+      ->type_name("FILE");
+  add_compute_options(*app, arguments->options);
+  add_assert_option(*app, arguments->assertions);
+  app->footer(
+      "--assert: max and min are those of the nodes and of the limit at 90 degrees, mean is the albedo under light "
+      "from\n"
+      "everywhere, error is the relative bound of the curve, evaluations are those of the whole curve.\n"
+      "Example: a curve good to a millionth, and whether it conserves energy:\n"
+      "  albedo curve ggx alpha=0.3 --tolerance 1e-6 -o ggx.csv --assert 'max<=1'");
+  return {app, [arguments](const std::string& command_line) { return run(*arguments, command_line); }};
+}
+
+}  // namespace albedo::analysis

@@ -1,0 +1,39 @@
+/// @file
+/// MODEL [PARAM=VALUE]... on the command line.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "albedo/core/model.hpp"
+#include "analysis/input/value.hpp"
+
+namespace albedo::analysis {
+
+/// The positional arguments, as written.
+struct ModelArguments {
+  std::string model;
+  std::vector<std::string> parameters;  ///< NAME=VALUE
+
+  /// @throws ParameterError if there is no model, or an argument is not NAME=VALUE
+  [[nodiscard]] std::vector<Assignment> assignments() const;
+  /// @throws UnknownModel, ParameterError
+  [[nodiscard]] std::unique_ptr<Model> make() const;
+};
+
+void add_model_arguments(CLI::App& command, ModelArguments& arguments);
+
+/// The value of a model's parameter: a number taken strictly, or the name of a choice. Whether the model has such a
+/// parameter, and its range, is make_model's to say.
+std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment);
+
+/// @throws ParameterError if two of the names set the same parameter, such as alpha and alpha_x
+void check_set_once(const ModelInfo& model, const std::vector<std::string>& names);
+
+/// {"alpha_x": 0.1, "masking": "none"}
+nlohmann::ordered_json parameters_json(const Parameters& parameters);
+
+}  // namespace albedo::analysis

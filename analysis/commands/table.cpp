@@ -1,0 +1,193 @@
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "albedo/core/errors.hpp"
+#include "analysis/commands/checks.hpp"
+#include "analysis/commands/commands.hpp"
+#include "analysis/commands/model_arguments.hpp"
+#include "analysis/commands/options.hpp"
+#include "analysis/commands/progress.hpp"
+#include "analysis/commands/provenance.hpp"
+#include "analysis/commands/table_request.hpp"
+#include "analysis/commands/text.hpp"
+#include "analysis/material_table.hpp"
+
+namespace albedo::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  ModelArguments model;
+  ComputeOptions options;
+  std::string materials, output;
+  bool summary = false, errors = false;
+  std::vector<Assertion> assertions;
+};
+
+/// What an AlbedoTable and a MaterialTable have in common, once filled. The entries stay where they are.
+struct Filled {
+  std::vector<Axis> axes;
+  const std::vector<double>& values;
+  const std::vector<double>& errors;
+  double worst_error, interpolation_error;
+  std::size_t unconverged, divergent;
+  std::int64_t evaluations;
+
+  template <class Table>
+  Filled(std::vector<Axis> of_document, const Table& table)
+      : axes(std::move(of_document)),
+        values(table.values()),
+        errors(table.errors()),
+        worst_error(table.worst_error()),
+        interpolation_error(table.interpolation_error()),
+        unconverged(table.unconverged()),
+        divergent(table.divergent()),
+        evaluations(table.evaluations()) {}
+};
+
+/// The table at one direction, linearly interpolated along its only axis. The axis is `theta` or `cos_theta`, in any
+/// order.
+double interpolated(const Axis& axis, const std::vector<double>& values, double theta) {
+  const double place = axis.name == "theta" ? theta : Direction::from_degrees(theta).cos_theta;
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    if (axis.values[i] == place) return values[i];
+    if (i + 1 == axis.size() || (axis.values[i] < place) == (axis.values[i + 1] < place)) continue;
+    return std::lerp(values[i], values[i + 1], (place - axis.values[i]) / (axis.values[i + 1] - axis.values[i]));
+  }
+  return NAN;  // unreachable after check_at()
+}
+
+/// at(θ,φ) has one answer only if the direction is all that the table varies.
+void check_at(const std::vector<Assertion>& assertions, const std::vector<Axis>& axes, double phi) {
+  const auto is_single = [](const Axis& axis) { return axis.is_categorical() && axis.size() == 1; };
+  const Axis& directions = axes.back();
+  const bool is_direction = directions.name == "theta" || directions.name == "cos_theta";
+  const bool varies_more = !std::all_of(axes.begin(), axes.end() - 1, is_single);
+  check_answerable(
+      assertions,
+      [&](double theta, double asked_phi) {
+        if (!is_direction || varies_more || asked_phi != phi) return false;
+        const double place = directions.name == "theta" ? theta : Direction::from_degrees(theta).cos_theta;
+        const auto [low, high] = std::minmax_element(directions.values.begin(), directions.values.end());
+        return *low <= place && place <= *high;
+      },
+      "it needs a table that varies nothing but theta or cos_theta, around that direction");
+}
+
+/// Writes the table and says what was asked for.
+int conclude(const Arguments& arguments, const Filled& table, Json provenance, double seconds) {
+  provenance["axes"] = describe_axes(table.axes);
+  arguments.options.describe(provenance);
+  provenance["largest_error"] = table.worst_error;
+  provenance["interpolation_error"] = table.interpolation_error;
+  provenance["unconverged"] = table.unconverged;
+  provenance["divergent"] = table.divergent;
+  provenance["evaluations"] = table.evaluations;
+  const std::string name = provenance.value("model", "materials") + "_albedo";
+  write_table({.name = name,
+               .axes = table.axes,
+               .values = table.values.data(),
+               .errors = table.errors.empty() ? nullptr : table.errors.data(),
+               .provenance = provenance},
+              arguments.output);
+
+  const Json summary{{"entries", table.values.size()},
+                     {"worst_error", table.worst_error},
+                     {"interpolation_error", table.interpolation_error},
+                     {"unconverged", table.unconverged},
+                     {"divergent", table.divergent},
+                     {"evaluations", table.evaluations},
+                     {"seconds", seconds},
+                     {"output", arguments.output}};
+  if (arguments.options.json) std::cout << json_text(summary) << '\n';
+  if (arguments.summary) std::cerr << json_text(summary) << '\n';
+  if (arguments.assertions.empty() && table.unconverged == 0) return exit_code::done;
+
+  const Extent extent = extent_of(table.values);
+  const Facts facts{.at = [&](double theta, double) { return interpolated(table.axes.back(), table.values, theta); },
+                    .max = extent.max,
+                    .min = extent.min,
+                    .mean = extent.mean,
+                    .error = table.worst_error,
+                    .evaluations = static_cast<double>(table.evaluations)};
+  return concluding_exit_code(arguments.assertions, facts, {table.values.size(), table.unconverged});
+}
+
+/// Everything that can be refused before the work begins.
+void check_before(const Arguments& arguments, const std::vector<Axis>& axes, double phi) {
+  check_at(arguments.assertions, axes, phi);
+  check_table_path(arguments.output, axes);
+}
+
+int run(const Arguments& arguments, const std::string& command_line) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const auto seconds = [begin] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  if (arguments.output == "-" && arguments.options.json) {
+    throw ParameterError("--json and --output - would both use standard output");
+  }
+  ProgressBar progress;
+  TableOptions options{.albedo = arguments.options.albedo(),
+                       .threads = arguments.options.threads,
+                       .keep_errors = arguments.errors,
+                       .progress = [&progress](std::size_t done, std::size_t total) { progress.update(done, total); }};
+  Json provenance = begin_provenance(command_line);
+
+  if (!arguments.materials.empty()) {
+    const MaterialRequest request = parse_material_request(arguments.model);
+    MaterialTable table(read_materials(arguments.materials), arguments.materials);
+    std::vector<Axis> axes = table.label_axes();
+    axes.push_back(document_axis(request.directions));
+    check_before(arguments, axes, request.phi);
+    table.fill(request.directions, request.phi, options);
+    provenance["materials"] = arguments.materials;
+    provenance["phi_deg"] = request.phi;
+    return conclude(arguments, Filled(axes, table), std::move(provenance), seconds());
+  }
+
+  const TableRequest request = parse_table_request(arguments.model);
+  check_before(arguments, request.document_axes(), request.phi());
+  const AlbedoTable table(request.model, request.fixed, request.axes, options);
+  provenance["model"] = request.model;
+  provenance["parameters"] = parameters_json(request.fixed_parameters());
+  for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
+  return conclude(arguments, Filled(request.document_axes(), table), std::move(provenance), seconds());
+}
+
+}  // namespace
+
+Command add_table(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* const app =
+      program.add_subcommand("table", "an N-dimensional table over parameters and directions, or of materials");
+  add_model_arguments(*app, arguments->model);
+  app->get_option("PARAMETERS")
+      ->description(
+          "NAME=VALUE fixes, NAME=FROM:TO:COUNT[:log] or NAME=A,B,... varies; also cos_theta, theta, phi (degrees)");
+  app->add_option("-o,--output", arguments->output, "a .csv, .json, .npy, .exr or .hpp; - is CSV on standard output")
+      ->type_name("FILE")
+      ->required();
+  app->add_option("--materials", arguments->materials, R"(instead of MODEL: JSON of {"name", "model", "parameters"})")
+      ->type_name("FILE");
+  app->add_flag("--errors", arguments->errors, "keep the error of every entry too");
+  app->add_flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
+  add_compute_options(*app, arguments->options);
+  add_assert_option(*app, arguments->assertions);
+  app->footer(
+      "Axes are in the order given, the last one runs fastest. Without cos_theta or theta the last axis is cos_theta "
+      "at the 32\n"
+      "centres (i + 1/2)/32; for materials it is theta at 0,15,30,45,60,75,80,85,88,89 degrees. --json prints the "
+      "summary.\n"
+      "--assert: max, min and mean are those of the entries, error is the largest of a finite entry, evaluations are "
+      "those of\n"
+      "the whole table; at(THETA) interpolates linearly in a table that varies nothing but theta or cos_theta.\n"
+      "Examples: a table for a renderer, and one of measured materials:\n"
+      "  albedo table ggx alpha=0.05:1:32 --output ggx.exr\n"
+      "  albedo table --materials materials.json theta=0:85:18 --output materials.csv --summary");
+  return {app, [arguments](const std::string& command_line) { return run(*arguments, command_line); }};
+}
+
+}  // namespace albedo::analysis

@@ -1,0 +1,25 @@
+/// @file
+/// Numbers, JSON and columns as the program prints them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace albedo::analysis {
+
+/// A number with so many significant digits; with 17 it reads back as the same double.
+std::string number_text(double value, int digits = 17);
+
+/// JSON on one line, but for an array of objects: there every object has its own. Numbers have 17 significant digits,
+/// what is not finite is null, and bytes that are not UTF-8 become U+FFFD.
+std::string json_text(const nlohmann::ordered_json& value);
+
+/// Rows of cells, every column as wide as its widest cell and aligned to the right.
+void print_columns(std::ostream& out, const std::vector<std::vector<std::string>>& rows);
+
+/// The items with a separator between them.
+std::string joined(const std::vector<std::string>& items, const std::string& separator);
+
+}  // namespace albedo::analysis

@@ -1,0 +1,133 @@
+#include "analysis/material_table.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "albedo/core/errors.hpp"
+
+namespace albedo::analysis {
+namespace {
+
+using Channels = std::array<double, 3>;
+
+bool is_rgb(const Material& material) {
+  return std::ranges::any_of(material.parameters,
+                             [](const auto& p) { return std::holds_alternative<Channels>(p.second); });
+}
+
+albedo::ParameterValue value_in_channel(const ModelInfo& info, const std::string& name, const ParameterValue& value,
+                                        std::size_t channel) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  for (const std::string& parameter : info.resolve(name)) {
+    if (!info.find(parameter)->per_channel) {
+      throw ParameterError(info.name + ": " + name + " is one number for all channels and can't be an array");
+    }
+  }
+  return std::get<Channels>(value)[channel];
+}
+
+std::unique_ptr<Model> make_row(const Material& material, std::size_t channel, const std::string& file) {
+  try {
+    const ModelInfo& info = model_info(material.model);
+    Parameters parameters;
+    for (const auto& [name, value] : material.parameters) {
+      parameters.emplace_back(name, value_in_channel(info, name, value, channel));
+    }
+    return make_model(material.model, parameters);
+  } catch (const Error& error) {
+    throw FormatError("'" + file + "', line " + std::to_string(material.line) + ": " + error.what());
+  }
+}
+
+Direction direction_at(const std::string& axis, double place, double phi) {
+  return axis == "theta" ? Direction::from_degrees(place, phi) : Direction::from_cosine(place, phi);
+}
+
+/// Calls work(0) to work(count − 1) in parallel, and carries an exception out.
+void parallel_for(std::size_t count, const TableOptions& options, const std::function<void(std::size_t)>& work) {
+  std::exception_ptr failure;
+  std::atomic<std::size_t> done = 0;
+#pragma omp parallel for schedule(dynamic) num_threads(options.threads > 0 ? options.threads : omp_get_max_threads())
+  for (std::size_t i = 0; i < count; ++i) {
+    try {
+      work(i);
+      const std::size_t so_far = ++done;
+      if (options.progress && omp_get_thread_num() == 0) options.progress(so_far, count);
+    } catch (...) {
+#pragma omp critical(albedo_material_table)
+      failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// At most `wanted` of the gaps 0 to count − 1, evenly spread.
+std::vector<std::size_t> spread(std::size_t count, std::size_t wanted) {
+  std::vector<std::size_t> chosen(std::min(count, wanted));
+  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i * count / chosen.size();
+  return chosen;
+}
+
+}  // namespace
+
+MaterialTable::MaterialTable(const std::vector<Material>& materials, const std::string& file) {
+  Axis names{.name = "material"}, channels{.name = "channel", .labels = {"all"}};
+  if (std::ranges::any_of(materials, is_rgb)) channels.labels = {"R", "G", "B"};
+  for (const Material& material : materials) {
+    names.labels.push_back(material.name);
+    for (std::size_t channel = 0; channel < channels.size(); ++channel)
+      rows_.push_back(make_row(material, channel, file));
+  }
+  label_axes_ = {std::move(names), std::move(channels)};
+}
+
+void MaterialTable::fill(const TableAxis& directions, double phi, const TableOptions& options) {
+  const std::size_t columns = directions.values.size();
+  std::vector<Direction> lights;
+  for (const double place : directions.values) lights.push_back(direction_at(directions.name, place, phi));
+
+  std::vector<Estimate> estimates(rows_.size() * columns);
+  parallel_for(estimates.size(), options, [&](std::size_t i) {
+    estimates[i] = directional_albedo(*rows_[i / columns], lights[i % columns], options.albedo);
+  });
+  values_.resize(estimates.size());
+  if (options.keep_errors) errors_.resize(estimates.size());
+  for (std::size_t i = 0; i < estimates.size(); ++i) {
+    const Estimate& estimate = estimates[i];
+    values_[i] = estimate.value;
+    if (options.keep_errors) errors_[i] = estimate.error;
+    evaluations_ += estimate.evaluations;
+    if (estimate.status == Status::divergent) {
+      ++divergent_;
+      continue;
+    }
+    if (estimate.status != Status::converged) ++unconverged_;
+    if (!(estimate.error <= worst_error_)) worst_error_ = estimate.error;  // keeps NaN
+  }
+
+  const std::size_t gaps_in_row = columns - 1;
+  const std::vector<std::size_t> gaps =
+      spread(rows_.size() * gaps_in_row, static_cast<std::size_t>(std::max(options.verified_cells, 0)));
+  std::vector<double> misses(gaps.size());
+  TableOptions quietly = options;
+  quietly.progress = nullptr;
+  parallel_for(gaps.size(), quietly, [&](std::size_t i) {
+    const std::size_t row = gaps[i] / gaps_in_row, left = gaps[i] % gaps_in_row;
+    const double middle = std::midpoint(directions.values[left], directions.values[left + 1]);
+    const double linear = std::midpoint(values_[row * columns + left], values_[row * columns + left + 1]);
+    if (!std::isfinite(linear)) return;  // nobody interpolates towards infinity
+    misses[i] = std::abs(
+        directional_albedo(*rows_[row], direction_at(directions.name, middle, phi), options.albedo).value - linear);
+  });
+  for (const double miss : misses) interpolation_error_ = std::max(interpolation_error_, miss);
+}
+
+}  // namespace albedo::analysis

@@ -1,0 +1,56 @@
+/// @file
+/// A table on its way to a file: axes, entries and where they come from. The file's ending chooses the format.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace albedo::analysis {
+
+/// One axis of a table: numbers, or names (materials, channels).
+struct Axis {
+  std::string name{};
+  std::string unit{};
+  std::vector<double> values{};
+  std::vector<std::string> labels{};  ///< not empty: a categorical axis, whose values are not looked at
+
+  [[nodiscard]] bool is_categorical() const { return !labels.empty(); }
+  [[nodiscard]] std::size_t size() const { return is_categorical() ? labels.size() : values.size(); }
+};
+
+/// A table that is not copied: the entries stay where they were computed.
+struct TableDocument {
+  std::string name{};  ///< an identifier, such as "ggx_albedo"
+  std::vector<Axis> axes{};
+  const double* values = nullptr;  ///< C order: the last axis runs fastest; a divergent albedo is +infinity
+  const double* errors = nullptr;  ///< in the same order, or null
+  nlohmann::ordered_json provenance = nlohmann::ordered_json::object();
+
+  /// The number of entries.
+  [[nodiscard]] std::size_t size() const;
+};
+
+/// Writes the table as .csv, .json, .npy, .exr or .hpp, as the ending of `path` says (in any case); "-" is CSV on
+/// standard output.
+/// @throws ParameterError if the ending is none of these, or the format can't hold these axes
+/// @throws WriteError if the file can't be written whole, or an entry is neither a number nor +infinity
+void write_table(const TableDocument& table, const std::string& path);
+
+/// Throws what write_table() would throw for the path and the axes, before anything is computed.
+void check_table_path(const std::string& path, const std::vector<Axis>& axes);
+
+/// Appends a number with 17 significant digits, which read back as the same double ("inf" and "nan" where it is one).
+void append_number(std::string& text, double value);
+
+/// The place on an axis as text: the name, or the number with 17 digits.
+std::string axis_text(const Axis& axis, std::size_t index);
+
+/// Where an entry stands, for messages: "alpha=0.1, theta=30".
+std::string describe_entry(const TableDocument& table, std::size_t entry);
+
+/// One item of the provenance as text that stays on its line in a comment of CSV or C++.
+std::string comment_text(const nlohmann::ordered_json& item);
+
+}  // namespace albedo::analysis

@@ -1,0 +1,62 @@
+# Flags, as interface targets. Only albedo_arithmetic is part of the installed package.
+
+# albedo_arithmetic: everything that decides a number's last digits or an Eigen object's layout.
+#
+# The models are templates in public headers, and blocks of Eigen arrays pass between a user's code and the library. So these flags are a
+# public property of the target, when installed too: the linker may keep a user's copy of a formula in place of the library's, and
+# Eigen's alignment follows the instruction set. A native build serves the machine it was built on; packages turn ALBEDO_NATIVE off.
+#   -ffp-contract=off   a formula rounds the same wherever the compiler inlines it (Eigen's own exp and log ask for fused operations by
+#                       name and keep them)
+#   -fno-math-errno     sqrt becomes one instruction; no value changes
+# Never -ffast-math: it makes NaN and infinity unobservable, and they are findings here.
+add_library(albedo_arithmetic INTERFACE)
+add_library(albedo::arithmetic ALIAS albedo_arithmetic)
+set_target_properties(albedo_arithmetic PROPERTIES EXPORT_NAME arithmetic)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(albedo_arithmetic INTERFACE -ffp-contract=off $<BUILD_INTERFACE:-fno-math-errno>)
+  if(ALBEDO_NATIVE)
+    target_compile_options(albedo_arithmetic INTERFACE -march=native)
+  endif()
+endif()
+
+# albedo_warnings: private to this project's own targets.
+add_library(albedo_warnings INTERFACE)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(
+    albedo_warnings
+    INTERFACE -Wall
+              -Wextra
+              -Wpedantic
+              -Wshadow
+              -Wconversion
+              -Wsign-conversion
+              -Wdouble-promotion
+              -Wold-style-cast
+              -Wcast-align
+              -Wcast-qual
+              -Wnon-virtual-dtor
+              -Woverloaded-virtual
+              -Wextra-semi
+              -Wformat=2
+              $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond>
+              $<$<CXX_COMPILER_ID:GNU>:-Wlogical-op>
+              $<$<BOOL:${ALBEDO_WERROR}>:-Werror>)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # GCC 12 falsely accuses its own headers: AVX-512 intrinsics as Eigen uses them, and string concatenation. clang still looks.
+    target_compile_options(albedo_warnings INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict)
+  endif()
+endif()
+
+# albedo_sanitizers: private, and empty unless ALBEDO_SANITIZE names some.
+add_library(albedo_sanitizers INTERFACE)
+if(ALBEDO_SANITIZE)
+  target_compile_options(albedo_sanitizers INTERFACE -fsanitize=${ALBEDO_SANITIZE} -fno-sanitize-recover=all
+                                                     -fno-omit-frame-pointer)
+  target_link_options(albedo_sanitizers INTERFACE -fsanitize=${ALBEDO_SANITIZE})
+endif()
+
+# What every target of this project is built with.
+function(albedo_target target)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:albedo_warnings> $<BUILD_INTERFACE:albedo_sanitizers>)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+endfunction()

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "albedo/core/direction.hpp"
+#include "albedo/core/lobe.hpp"
+
+namespace albedo {
+
+/// The valid values of a numeric parameter.
+struct Range {
+  double minimum;
+  double maximum;
+
+  [[nodiscard]] bool contains(double value) const { return value >= minimum && value <= maximum; }  // false for NaN
+};
+
+/// One parameter of a model, as shown to users.
+struct ParameterInfo {
+  std::string name{};
+  std::string meaning{};
+  Range range{0, 0};
+  double default_value = 0;
+  bool per_channel = false;            ///< may differ for red, green and blue
+  std::vector<std::string> choices{};  ///< non-empty: the parameter is one of these names and default_value is an index
+
+  [[nodiscard]] bool is_choice() const { return !choices.empty(); }
+};
+
+/// One name that sets several parameters: `alpha` sets alpha_x and alpha_y.
+struct Shorthand {
+  std::string name;
+  std::vector<std::string> parameters;
+};
+
+/// What a model promises for given parameters; tests and the audit hold it to that.
+struct Claims {
+  bool reciprocal = true;
+  bool conserves_energy = true;  ///< a(L) ≤ 1 for every L
+  bool bounded = true;           ///< a(L) stays finite at grazing incidence
+  bool isotropic = true;
+};
+
+/// A model's name, source and parameters.
+struct ModelInfo {
+  std::string name;
+  std::string title;
+  std::string source;     ///< paper and equation numbers
+  std::string deviation;  ///< from the source, or "none"
+  std::vector<ParameterInfo> parameters{};
+  std::vector<Shorthand> shorthands{};
+
+  /// The parameter of that name, or nullptr.
+  [[nodiscard]] const ParameterInfo* find(std::string_view wanted) const;
+  /// The parameters that a name stands for: itself, or a shorthand's; empty if there is none.
+  [[nodiscard]] std::vector<std::string> resolve(std::string_view wanted) const;
+};
+
+/// A number, or the name of a choice.
+using ParameterValue = std::variant<double, std::string>;
+using Parameters = std::vector<std::pair<std::string, ParameterValue>>;
+
+/// A reflectance model with its parameters set: a sum of lobes, each of which can be integrated on a warp of its own.
+///
+/// The formula behind it is one template over the number type; this interface runs it on a block of pairs (the fast
+/// path), and on one pair in double, float (as a shader would) and 113 bits.
+class Model {
+ public:
+  virtual ~Model() = default;
+
+  [[nodiscard]] virtual const ModelInfo& info() const = 0;
+  [[nodiscard]] virtual Claims claims() const = 0;
+  /// Every parameter with its value, in the order of info().parameters.
+  [[nodiscard]] virtual Parameters parameters() const = 0;
+  /// The lobes that are not switched off.
+  [[nodiscard]] virtual std::vector<Lobe> lobes() const = 0;
+
+  /// Lobe `component`'s f(L,V) [1/sr].
+  [[nodiscard]] virtual Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept = 0;
+  [[nodiscard]] virtual double evaluate(int component, const DirectionPair<double>& pair) const noexcept = 0;
+  [[nodiscard]] virtual float evaluate(int component, const DirectionPair<float>& pair) const noexcept = 0;
+  [[nodiscard]] virtual Quad evaluate(int component, const DirectionPair<Quad>& pair) const = 0;
+
+ protected:
+  Model() = default;
+  Model(const Model&) = default;
+  Model& operator=(const Model&) = default;
+};
+
+/// f(L,V) [1/sr], the sum of a model's lobes, for directions in the number type T (double, float or Quad).
+template <class T>
+T brdf(const Model& model, const Direction& l, const Direction& v);
+
+extern template double brdf<double>(const Model&, const Direction&, const Direction&);
+extern template float brdf<float>(const Model&, const Direction&, const Direction&);
+extern template Quad brdf<Quad>(const Model&, const Direction&, const Direction&);
+
+/// A model by name; parameters that are not given have their default.
+/// @throws UnknownModel (with a suggestion for a misspelt name), ParameterError (unknown name, value outside its
+/// range).
+std::unique_ptr<Model> make_model(std::string_view name, const Parameters& parameters = {});
+
+/// Every model's information, in the order of models/all.hpp.
+const std::vector<ModelInfo>& model_infos();
+
+/// The information of one model. @throws UnknownModel
+const ModelInfo& model_info(std::string_view name);
+
+/// The candidate that a misspelt word most likely meant, or an empty string.
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace albedo

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "albedo/core/estimate.hpp"
+#include "albedo/core/model.hpp"
+#include "albedo/rules/options.hpp"
+
+namespace albedo {
+
+enum class Rule { gauss, cubature, stratified };
+
+/// Which map from the unit square the rule works on.
+enum class Warp {
+  lobe,        ///< the exact domain of each of the model's lobes
+  hemisphere,  ///< cosθ_V and azimuth
+};
+
+/// The arithmetic that a model's formula is evaluated in. `quad` sums in 113 bits too with the gauss rule.
+enum class Precision { float32, float64, quad };
+
+struct AlbedoOptions {
+  Rule rule = Rule::gauss;
+  Warp warp = Warp::lobe;
+  Precision precision = Precision::float64;
+  double tolerance = 1e-8;          ///< relative
+  std::int64_t budget = 2'000'000;  ///< most evaluations
+  std::uint64_t seed = 1;           ///< of the stratified rule
+};
+
+/// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V, the fraction of the light from L that is reflected   [Neumann
+/// 1999, eq. 2].
+///
+/// At grazing incidence (θ = 90°, cosθ below 1e-60) it is the limit from above the horizon, or status `divergent` with an
+/// infinite value.
+/// @throws ParameterError unless the tolerance is within [1e-30, 1) and the budget positive.
+Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options = {});
+
+}  // namespace albedo

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "albedo/models/ashikhmin_shirley.hpp"
+#include "albedo/models/blinn.hpp"
+#include "albedo/models/blinn_original.hpp"
+#include "albedo/models/cook_torrance.hpp"
+#include "albedo/models/ggx.hpp"
+#include "albedo/models/kurt.hpp"
+#include "albedo/models/lafortune.hpp"
+#include "albedo/models/lambert.hpp"
+#include "albedo/models/neumann_phong.hpp"
+#include "albedo/models/phong.hpp"
+#include "albedo/models/phong_original.hpp"
+#include "albedo/models/ward.hpp"
+
+namespace albedo {
+
+template <class... Models>
+struct ModelList {};
+
+/// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
+using AllModels = ModelList<Lambert, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune, NeumannPhong, Ward,
+                            CookTorrance, AshikhminShirley, Kurt, Ggx>;
+
+}  // namespace albedo

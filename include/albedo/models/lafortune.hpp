@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+
+#include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/distribution.hpp"
+
+namespace albedo {
+
+/// Lafortune's generalised cosine lobe: f = ρ (n+2)/(2π C^n) (c_x L_x V_x + c_y L_y V_y + c_z L_z V_z)₊^n, C = max|c|
+/// [Lafortune et al. 1997; Neumann 1999, eq. 7; normalised as in Ngan et al. 2005]
+///
+/// The lobe's axis is A = (c_x L_x, c_y L_y, c_z L_z), not of unit length; mirror Phong is c = (−1, −1, 1).
+struct Lafortune {
+  double c_x = -1, c_y = -1, c_z = 1;
+  double n = 20;
+  double rho = 1;
+
+  static ModelInfo info() {
+    return {.name = "lafortune",
+            .title = "Lafortune's generalised cosine lobe",
+            .source = "Lafortune, Foo, Torrance, Greenberg 1997; Neumann 1999, eq. 7",
+            .deviation = "one lobe, normalised by (n+2)/(2π max|c|^n) as in Ngan et al. 2005, which bounds a(L) by 1"};
+  }
+  static std::vector<Parameter<Lafortune>> parameters() {
+    return {number<Lafortune, &Lafortune::c_x>("c_x", {-10, 10}, "weight of L_x V_x"),
+            number<Lafortune, &Lafortune::c_y>("c_y", {-10, 10}, "weight of L_y V_y"),
+            number<Lafortune, &Lafortune::c_z>("c_z", {-10, 10}, "weight of L_z V_z"),
+            number<Lafortune, &Lafortune::n>("n", exponent_range, "exponent"),
+            reflectance<Lafortune, &Lafortune::rho>("rho", "scale", scale_range)};
+  }
+
+  [[nodiscard]] double largest() const { return std::max({std::abs(c_x), std::abs(c_y), std::abs(c_z)}); }
+
+  [[nodiscard]] Claims claims() const { return {.conserves_energy = rho <= 1, .isotropic = c_x == c_y}; }
+  [[nodiscard]] std::vector<Lobe> lobes() const {
+    Lobe lobe = mirror_lobe(0, n);
+    lobe.axis_x = c_x, lobe.axis_y = c_y, lobe.axis_z = c_z;
+    lobe.weight = largest() > 0 ? rho : 0;
+    return {lobe};
+  }
+
+  template <class T>
+  T evaluate(int, const DirectionPair<T>& d) const noexcept {
+    const double c = largest();
+    // |A|² − C², relative to C², without cancellation: 0 for mirror Phong at any direction
+    const T shortfall = T((c_x - c) * (c_x + c) / (c * c)) * square(d.l_x) +
+                        T((c_y - c) * (c_y + c) / (c * c)) * square(d.l_y) +
+                        T((c_z - c) * (c_z + c) / (c * c)) * square(d.cos_theta_l);
+    return T(rho * (n + 2)) / (2 * pi<T>)*axis_power(d, n) * exp(T(n / 2) * log1p(shortfall));
+  }
+};
+
+}  // namespace albedo

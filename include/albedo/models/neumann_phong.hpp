@@ -1,0 +1,35 @@
+#pragma once
+
+#include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/distribution.hpp"
+
+namespace albedo {
+
+/// Neumann's metallic Phong: f = (n+2)/(2π) (R·V)₊^n / max(N·L, N·V)   [Neumann 1999, eq. 22]
+struct NeumannPhong {
+  double n = 20;
+
+  static ModelInfo info() {
+    return {.name = "neumann_phong",
+            .title = "Neumann's metallic Phong",
+            .source = "Neumann 1999, eq. 22; Ashikhmin & Shirley 2000, eq. 2",
+            .deviation = "none"};
+  }
+  static std::vector<Parameter<NeumannPhong>> parameters() {
+    return {number<NeumannPhong, &NeumannPhong::n>("n", exponent_range, "exponent")};
+  }
+
+  [[nodiscard]] Claims claims() const { return {}; }
+  [[nodiscard]] std::vector<Lobe> lobes() const {
+    Lobe lobe = mirror_lobe(0, n);
+    lobe.kink_equal_cosines = true;
+    return {lobe};
+  }
+
+  template <class T>
+  T evaluate(int, const DirectionPair<T>& d) const noexcept {
+    return T(n + 2) / (2 * pi<T>)*axis_power(d, n) / max(d.cos_theta_l, d.cos_theta_v);
+  }
+};
+
+}  // namespace albedo

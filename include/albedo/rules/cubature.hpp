@@ -1,0 +1,18 @@
+#pragma once
+
+#include "albedo/core/estimate.hpp"
+#include "albedo/core/integrand.hpp"
+#include "albedo/rules/options.hpp"
+
+namespace albedo {
+
+/// Globally adaptive cubature with Genz and Malik's rule of degree 7 (17 points in the plane), error from its embedded
+/// rule of degree 5.
+///
+/// The box with the largest error is halved along the axis of the largest fourth difference [Genz & Malik 1980], until
+/// the errors sum up to the tolerance. A box that holds a panel's feature isn't believed before it is as small as the
+/// feature, and where halving a box changed its value by more than its error said, the halves' errors grow as much.
+/// Values and errors are summed anew at the end.
+Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options);
+
+}  // namespace albedo

@@ -1,0 +1,389 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "albedo/warps/ray.hpp"
+#include "albedo/warps/sample.hpp"
+#include "albedo/warps/turn.hpp"
+
+namespace albedo {
+
+/// The exact domain of a half-vector lobe, in polar coordinates (r, ψ) of its own slopes:
+///
+///     slope_H = τ/ρ (α_x cosψ, α_y sinψ),   ρ(ψ)² = α_x² cos²ψ + α_y² sin²ψ,   τ = tanθ_H
+///     τ = ρ r  (gaussian, ggx)   or   1 + τ² = exp(2ρ²r²)  (power: cosθ_H = exp(−ρ²r²))
+///
+/// so that a lobe falls off with r like exp(−r²) or (1 + r²)^−2, whatever its roughness. With b = tanθ_L (cosφ along
+/// the ray)·ρ and q = √(b² + ρ²), V is above the horizon for τ < (b + q)/ρ, the ray's edges (design: linear in angles)
+/// are elementary, and
+///
+///     cosθ_V = cos²θ_H cosθ_L (τ_e − τ)(τ + 1/τ_e),   L·H = cosθ_H cosθ_L (1 + bτ/ρ)
+///
+/// have no cancellation when τ_e − τ is taken from the distance to the end of the ray.
+template <class T>
+class HalfVectorWarp {
+  using S = Scalar<T>;
+
+ public:
+  /// @param tolerance relative; what a Gaussian or power lobe has beyond it is left out
+  HalfVectorWarp(const Lobe& lobe, const Direction& l, double tolerance)
+      : profile_(lobe.profile),
+        symmetric_(mirror_symmetric(lobe, l)),
+        alpha_x_(lobe.width_x),
+        alpha_y_(lobe.width_y),
+        l_(unit_vector<S>(l)),
+        axis_(lobe_axis(lobe, l_)),
+        turn_(make_turn(lobe, l)) {
+    const Cut cut = profile_ == Profile::ggx ? Cut{1e250, 0} : lobe_cut(tolerance);
+    cut_ = cut.radius;
+    truncation_ = cut.truncation;
+    widest_ = lobe.width_x > lobe.width_y ? S(alpha_x_) : S(alpha_y_);
+    cut_tau_ = tau_of_radius(cut_ * widest_);
+    stretch_ = profile_ == Profile::ggx || (profile_ == Profile::gaussian && widest_ * cut_ > 2);
+    horizon_exponent_ = lobe.horizon_exponent;
+    horizon_layer_ = lobe.horizon_layer && std::min(lobe.width_x, lobe.width_y) < 0.3;
+    digits_ = -std::log10(tolerance);
+    split(lobe);
+  }
+
+  [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
+  [[nodiscard]] double truncation() const { return truncation_; }
+
+  /// What a ray (a fixed azimuth) has in common for all its points.
+  struct Line {
+    T slope_x, slope_y;     // of the half vector, per unit of τ/ρ
+    T rho, inverse_rho, b;  // b/ρ = tanδ
+    T horizon;              // τ_e
+    T inverse_horizon;
+    T begin, extent, end;  // of r, or of arsinh(r/scale) where stretched
+    T scale;
+    T gap;        // from the panel's end to the horizon, in r
+    T horizon_x;  // power: ρ r_e
+    T weight;
+
+    auto fields() {
+      return std::tie(slope_x, slope_y, rho, inverse_rho, b, horizon, inverse_horizon, begin, extent, end, scale, gap,
+                      horizon_x, weight);
+    }
+  };
+
+  [[nodiscard]] Line line(int panel, const T& v) const {
+    const Part& part = parts_[static_cast<std::size_t>(panel)];
+    T cosine, sine, slope;
+    turn_.at(T(part.arc.begin + (part.arc.end - part.arc.begin) * v), cosine, sine, slope);
+    // relative to the projection of L, then in the axes of the roughness
+    const T along = cosine * offset_cos_ - sine * offset_sin_;
+    const T across = sine * offset_cos_ + cosine * offset_sin_;
+    Line ray;
+    ray.slope_x = alpha_x_ * (along * axis_cos_ - across * axis_sin_);
+    ray.slope_y = alpha_y_ * (along * axis_sin_ + across * axis_cos_);
+    const T rho2 = square(ray.slope_x) + square(ray.slope_y);
+    ray.rho = sqrt(rho2);
+    ray.inverse_rho = 1 / ray.rho;
+    ray.b = tan_alpha_ * along * ray.inverse_rho;
+    const T q = sqrt(square(ray.b) + 1);
+    ray.horizon = select(ray.b > T(0), T(abs(ray.b) + q), T(1 / (abs(ray.b) + q)));
+    ray.inverse_horizon = 1 / ray.horizon;
+    const T far = radius(ray, ray.horizon);
+    ray.horizon_x = far * ray.rho;
+    const T limit = min(far, T(cut_));
+    const T begin = min(radius(ray, edge(ray, part.from)), limit);
+    const T end = part.to == Edge::rim ? limit : min(radius(ray, edge(ray, part.to)), limit);
+    ray.gap = part.to == Edge::rim ? T(far - limit) : T(far - end);
+    if (stretch_) {
+      ray.scale = profile_ == Profile::ggx ? min(T(1), ray.inverse_rho) : ray.inverse_rho;
+      ray.begin = arsinh(T(begin / ray.scale));
+      ray.end = arsinh(T(end / ray.scale));
+    } else {
+      ray.scale = T(1);
+      ray.begin = begin;
+      ray.end = end;
+    }
+    ray.extent = ray.end - ray.begin;
+    ray.weight = slope * ray.extent *
+                 (turn_.quarter() * (part.arc.end - part.arc.begin) * (4 * alpha_x_ * alpha_y_) * (symmetric_ ? 2 : 1));
+    return ray;
+  }
+
+  [[nodiscard]] Sample<T> point(int panel, const Line& ray, const T& u) const {
+    const Part& part = parts_[static_cast<std::size_t>(panel)];
+    T g, complement, slope;
+    part.ends.at(u, g, complement, slope);
+    T r = ray.begin + ray.extent * g;
+    T to_horizon = ray.gap;
+    if (stretch_) {
+      const T rise = expm1(r);
+      const T half_left = ray.extent * complement / 2;
+      const T fall = expm1(half_left);
+      // r_end − r = 2 scale cosh(y_mid) sinh(half_left) with y_mid = y + half_left
+      const T e_mid = (1 + rise) * (1 + fall);
+      to_horizon += ray.scale * (e_mid + 1 / e_mid) * (fall + fall / (1 + fall)) / 2;
+      slope = slope * ray.scale * (1 + square(rise) / (2 * (1 + rise)));
+      r = ray.scale * (rise + rise / (1 + rise)) / 2;
+    } else {
+      to_horizon += ray.extent * complement;
+    }
+    const T x = ray.rho * r;
+    T tau, tau2, to_rim, area;
+    if (profile_ == Profile::power) {
+      const T grown = expm1(T(2 * square(x)));
+      tau2 = grown;
+      tau = sqrt(grown);
+      area = 2 * (1 + grown);
+      to_rim = (1 + grown) * expm1(T(2 * ray.rho * to_horizon * (ray.horizon_x + x))) / (ray.horizon + tau);
+    } else {
+      tau = x;
+      tau2 = square(x);
+      area = T(1);
+      to_rim = ray.rho * to_horizon;
+    }
+    const T cos2_h = 1 / (1 + tau2);
+    const T cos_h = sqrt(cos2_h);
+    const T cos_d = cos_h * l_.z * (1 + ray.b * tau);
+    const T cos_v = cos2_h * l_.z * to_rim * (tau + ray.inverse_horizon);
+    const T per_tau = tau * ray.inverse_rho;
+    const T slope_x = ray.slope_x * per_tau;
+    const T slope_y = ray.slope_y * per_tau;
+    const T reach = 2 * cos_d * cos_h;  // V = 2 (L·H) H − L
+    const T v_x = reach * slope_x - l_.x;
+    const T v_y = reach * slope_y - l_.y;
+    const T axis_gap = (square(T(axis_.x - v_x)) + square(T(axis_.y - v_y)) + square(T(axis_.z - cos_v))) / 2;
+    return {{T(l_.z), cos_v, T(l_.x), T(l_.y), v_x, v_y, cos_d, cos_h, slope_x, slope_y, axis_gap},
+            ray.weight * slope * r * area * cos_d * cos_h * cos2_h * cos_v};
+  }
+
+ private:
+  /// Where a ray is divided.
+  enum class Edge {
+    origin,         // H = N
+    equal_cosines,  // cosθ_V = cosθ_L: t = δ
+    cavity_light,   // V-cavity, the light's side: t = π/2 − δ
+    cavity_viewer,  // V-cavity, the viewer's side: t = π/6 + δ/3
+    rim,            // the horizon, or where the lobe has ended
+  };
+  inline static const std::vector<Edge> whole_ray{Edge::origin, Edge::rim};
+  struct Part {
+    Arc<S> arc;
+    Edge from, to;
+    EndMap ends;
+  };
+
+  Turn<S> make_turn(const Lobe& lobe, const Direction& l) {
+    S cos_theta, sin_theta, cos_phi, sin_phi;
+    polar_angle(l, cos_theta, sin_theta);
+    azimuth(l, cos_phi, sin_phi);
+    const S tangent = sin_theta / cos_theta;
+    const S gx = alpha_x_ * cos_phi, gy = alpha_y_ * sin_phi;
+    const S g = sqrt(gx * gx + gy * gy);
+    tan_alpha_ = tangent * g;
+    axis_cos_ = gx / g;
+    axis_sin_ = gy / g;
+    // the quadratic form b² + ρ² in the axes along and across the projection of L
+    const S x2 = square(alpha_x_), y2 = square(alpha_y_);
+    const S m11 = x2 * square(axis_cos_) + y2 * square(axis_sin_) + square(tan_alpha_);
+    const S m22 = x2 * square(axis_sin_) + y2 * square(axis_cos_);
+    const S m12 = (y2 - x2) * axis_cos_ * axis_sin_;
+    const S half = (m11 - m22) / 2;
+    const S root = sqrt(half * half + m12 * m12);
+    const S largest = (m11 + m22) / 2 + root;
+    const S ratio = alpha_x_ * alpha_y_ * sqrt(1 + square(tangent)) / largest;  // √(smallest/largest)
+    offset_cos_ = 1;
+    offset_sin_ = 0;
+    const bool kinked = lobe.kink_equal_cosines || lobe.kink_v_cavity;  // then ±K must stay where cosφ = 0
+    if (!kinked && root > 0 && lobe.width_x != lobe.width_y) {
+      const S cos_2 = half / root;  // of twice the angle to the form's larger axis
+      const S larger = sqrt((1 + abs(cos_2)) / 2), smaller = abs(m12 / root) / (2 * larger);
+      offset_cos_ = cos_2 >= 0 ? larger : smaller;
+      offset_sin_ = cos_2 >= 0 ? smaller : larger;
+      if (m12 < 0) offset_sin_ = -offset_sin_;
+    }
+    return Turn<S>(min(ratio, S(1)));
+  }
+
+  /// τ(ρr)
+  [[nodiscard]] S tau_of_radius(const S& x) const {
+    return profile_ == Profile::power ? S(sqrt(expm1(S(2 * x * x)))) : x;
+  }
+  /// r of τ on a ray
+  [[nodiscard]] T radius(const Line& ray, const T& tau) const {
+    return ray.inverse_rho * (profile_ == Profile::power ? T(sqrt(T(log1p(square(tau)) / 2))) : tau);
+  }
+  [[nodiscard]] T edge(const Line& ray, Edge which) const {
+    using std::atan;
+    using std::tan;
+    switch (which) {
+      case Edge::origin:
+        return T(0);
+      case Edge::equal_cosines:
+        return max(ray.b, T(0));
+      case Edge::cavity_light:
+        return 1 / max(ray.b, T(1e-30));
+      case Edge::cavity_viewer:
+        return tan(T(pi<T> / 6 + atan(ray.b) / 3));
+      case Edge::rim:
+        break;
+    }
+    return ray.horizon;
+  }
+
+  /// Divides the turn where edges enter or leave the lobe, and its rays at the edges.
+  void split(const Lobe& lobe) {
+    const S tangent = sqrt(square(l_.x) + square(l_.y)) / l_.z;
+    if (lobe.kink_v_cavity) {
+      split_cavity(tangent);
+    } else if (lobe.kink_equal_cosines && tangent > 0) {
+      split_equal_cosines();
+    } else {
+      add_whole({S(0), S(2)}, whole_ray);
+    }
+  }
+
+  /// The edge t = δ exists for δ > 0, from r = 0 at δ = 0 on; where it is beyond the lobe's end it is left out.
+  void split_equal_cosines() {
+    static constexpr int steps = 24;
+    const std::vector<Edge> divided{Edge::origin, Edge::equal_cosines, Edge::rim};
+    for (const int side : {1, -1}) {
+      if (side < 0 && symmetric_) break;
+      std::vector<S> borders{S(0)};
+      for (int i = 0; i < steps; ++i) {
+        // closer together near ±K, where the edge is short
+        const auto place = [](int k) { return S(1 - square(square(S(steps - k) / steps))); };
+        if (edge_inside(side * place(i)) == edge_inside(side * place(i + 1))) continue;
+        S low = place(i), high = place(i + 1);
+        for (int k = 0; k < 40; ++k) {
+          const S middle = (low + high) / 2;
+          (edge_inside(side * middle) == edge_inside(side * low) ? low : high) = middle;
+        }
+        borders.push_back((low + high) / 2);
+      }
+      borders.push_back(S(1));
+      for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+        const S begin = side * borders[i], end = side * borders[i + 1];
+        const bool inside = edge_inside((begin + end) / 2);
+        add(side > 0 ? Arc<S>{begin, end} : Arc<S>{end, begin}, inside ? divided : whole_ray);
+      }
+    }
+    add_whole({S(1), S(2)}, whole_ray);
+  }
+
+  /// Whether the edge t = δ is within the lobe at x = f K.
+  [[nodiscard]] bool edge_inside(const S& f) const {
+    S cosine, sine, slope;
+    turn_.at(f, cosine, sine, slope);
+    const S x = alpha_x_ * (cosine * axis_cos_ - sine * axis_sin_),
+            y = alpha_y_ * (cosine * axis_sin_ + sine * axis_cos_);
+    const S rho = sqrt(square(x) + square(y));
+    return tan_alpha_ * cosine < rho * tau_of_radius(rho * cut_);
+  }
+
+  /// An isotropic lobe's sectors, from cosφ = 1 down.
+  void split_cavity(const S& tangent) {
+    using std::atan;
+    using std::tan;
+    S begin = 0;
+    const auto down_to = [&](const S& cosine, const std::vector<Edge>& edges) {
+      const S end = cosine <= -1 ? S(2) : cosine >= 1 ? S(0) : turn_.fraction(cosine);
+      if (!(end > begin)) return;
+      add_whole({begin, end}, edges);
+      begin = end;
+    };
+    const S reach = cut_tau_;
+    if (reach >= 1) {
+      if (tangent > 1) down_to(1 / tangent, {Edge::origin, Edge::cavity_light, Edge::equal_cosines, Edge::rim});
+      down_to(S(-1), {Edge::origin, Edge::cavity_viewer, Edge::rim});
+      return;
+    }
+    if (reach * tangent > 1) down_to(1 / (reach * tangent), {Edge::origin, Edge::cavity_light, Edge::rim});
+    const S farthest =
+        tan(S(3 * atan(reach) - boost::math::constants::half_pi<S>()));  // tanδ of the edge that meets the end
+    const S enters = tangent > 0 ? S(farthest / tangent) : S(farthest > 0 ? 2 : -2);
+    down_to(max(enters, S(-1)), whole_ray);
+    down_to(S(-1), {Edge::origin, Edge::cavity_viewer, Edge::rim});
+  }
+
+  /// An arc of the half turn, on both sides of the plane of incidence unless they are the same.
+  void add_whole(const Arc<S>& arc, const std::vector<Edge>& edges) {
+    for (const Arc<S>& part : symmetric_ ? std::vector<Arc<S>>{arc} : whole_turn(arc)) add(part, edges);
+  }
+
+  void add(const Arc<S>& arc, const std::vector<Edge>& edges) {
+    const double nearest =
+        static_cast<double>(1 / (sqrt(square(widest_) + square(tan_alpha_)) + tan_alpha_));  // bounds r_e and 1/r_e′
+    const bool fractional = horizon_exponent_ != std::floor(horizon_exponent_);
+    const int power = 2 * horizon_exponent_ == std::floor(2 * horizon_exponent_) ? 2 : 3;
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+      EndMap ends;
+      if (fractional && edges[i + 1] == Edge::rim && nearest < static_cast<double>(cut_)) ends.right = power;
+      if (fractional && edges[i] == Edge::origin && nearest < 0.5) ends.left = power;
+      if (horizon_layer_ && edges[i + 1] == Edge::rim) ends.right = 3;
+      parts_.push_back({arc, edges[i], edges[i + 1], ends});
+      const double extent = static_cast<double>(arc.end - arc.begin);
+      const AxisKind kind = extent == 4.0                 ? AxisKind::periodic
+                            : symmetric_ && extent == 2.0 ? AxisKind::even_periodic
+                                                          : AxisKind::interval;
+      Axis radial{AxisKind::interval, radial_order(ends)};
+      if (edges.size() == 2 && is_unbounded(static_cast<int>(parts_.size()) - 1)) {
+        parts_.back().ends = {};
+        radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
+      }
+      panels_.push_back({radial, {kind, azimuth_order(kind, extent, edges.size() > 2)}, {}});
+    }
+  }
+
+  /// Whether the lobe has ended everywhere on a part before it meets the horizon.
+  [[nodiscard]] bool is_unbounded(int part) const {
+    if (!std::is_same_v<T, Block> || profile_ == Profile::ggx || stretch_) return false;
+    constexpr double farthest_node = 5.6;  // of the gaussian rule
+    Block place;
+    for (int i = 0; i < block_width; ++i) place.lanes[i] = static_cast<double>(i) / (block_width - 1);
+    if constexpr (std::is_same_v<T, Block>) {
+      const Line ray = line(part, place);
+      const Block far = ray.horizon_x * ray.inverse_rho;
+      return far.lanes.minCoeff() > farthest_node;
+    }
+    return false;
+  }
+
+  /// Beside the turn's own length: an edge that enters the lobe does so like exp(−r²).
+  [[nodiscard]] int azimuth_order(AxisKind kind, double extent, bool edged) const {
+    int order = turn_.order(kind, extent, digits_ + 1, 1.2);
+    if (l_.z == 1 && alpha_x_ == alpha_y_) return 4;
+    // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
+    // facets' planes
+    if (horizon_layer_ && !symmetric_) order *= 3;
+    if (profile_ == Profile::ggx && widest_ >= 1) order += order / 2;
+    return std::min(edged ? std::max(order, 3 + static_cast<int>(digits_)) : order, 128);
+  }
+
+  /// What is needed at eight digits, measured.
+  [[nodiscard]] int radial_order(const EndMap& ends) const {
+    double nodes = 16;
+    if (profile_ == Profile::ggx) {  // the tail's length, in decades
+      const double narrowest = static_cast<double>(min(alpha_x_, alpha_y_));
+      nodes = 8 + 3.8 * std::asinh(1 / narrowest) - 1.5 * std::log(static_cast<double>(l_.z)) + (widest_ > 1 ? 12 : 0);
+    } else if (ends.left > 1 || ends.right > 1) {
+      nodes = ends.right == 3 || ends.left > 1 ? 27 : 21;
+    }
+    return static_cast<int>(nodes * (2 + digits_) / 10);
+  }
+
+  Profile profile_;
+  bool symmetric_;
+  bool stretch_ = false;
+  S alpha_x_, alpha_y_, widest_;
+  UnitVector<S> l_;
+  UnitVector<S> axis_;
+  S tan_alpha_, axis_cos_, axis_sin_, offset_cos_, offset_sin_;  // set by make_turn
+  Turn<S> turn_;
+  S cut_, cut_tau_;
+  double truncation_ = 0;
+  double horizon_exponent_ = 1;
+  bool horizon_layer_ = false;
+  double digits_ = 8;
+  std::vector<Part> parts_;
+  std::vector<Panel> panels_;
+};
+
+}  // namespace albedo

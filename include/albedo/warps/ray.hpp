@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+
+#include "albedo/core/number.hpp"
+
+namespace albedo {
+
+/// A map of [0, 1] onto itself that behaves like u^left at 0 and like 1 − (1 − u)^right at 1: it makes an integrand
+/// with a fractional power at an end smooth (power 2 for a half-integer, 3 for any other). Powers are 1, 2 or 3.
+struct EndMap {
+  int left = 1, right = 1;
+
+  /// g(u), 1 − g(u) without cancellation, and g′(u).
+  template <class T>
+  void at(const T& u, T& g, T& complement, T& slope) const {
+    const T v = 1 - u;
+    if (left == 1 && right == 1) {
+      g = u, complement = v, slope = T(1);
+    } else if (left == 1) {
+      const T last = right == 2 ? v : square(v);
+      complement = last * v;
+      g = right == 2 ? T(u * (1 + v)) : T(u * (1 + v + square(v)));
+      slope = right * last;
+    } else if (right == 1) {
+      const T last = left == 2 ? u : square(u);
+      g = last * u;
+      complement = left == 2 ? T(v * (1 + u)) : T(v * (1 + u + square(u)));
+      slope = left * last;
+    } else if (left == 2 && right == 2) {
+      g = square(u) * (1 + 2 * v);
+      complement = square(v) * (1 + 2 * u);
+      slope = 6 * u * v;
+    } else {
+      g = u * square(u) * (1 + 3 * v + 6 * square(v));
+      complement = v * square(v) * (1 + 3 * u + 6 * square(u));
+      slope = 30 * square(T(u * v));
+    }
+  }
+};
+
+/// Where a lobe that falls off like exp(−r²) has ended.
+struct Cut {
+  double radius;      ///< r
+  double truncation;  ///< bounds the rest, relative to the whole, for integrands that grow no faster than r²
+};
+
+/// The end of a lobe for a relative tolerance; the rest is about a tenth of it.
+inline Cut lobe_cut(double tolerance) {
+  const double radius2 = 6.5 - std::log(tolerance);
+  return {std::sqrt(radius2), 2 * radius2 * std::exp(-radius2)};
+}
+
+/// asinh(x) for x ≥ 0, accurate near 0.
+template <class T>
+T arsinh(const T& x) {
+  return log1p(T(x + square(x) / (1 + sqrt(T(1 + square(x))))));
+}
+
+}  // namespace albedo

@@ -1,0 +1,82 @@
+#include "plots/figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <filesystem>
+#include <system_error>
+
+#include "albedo/core/errors.hpp"
+#include "albedo/core/model.hpp"
+#include "analysis/output/atomic_file.hpp"
+#include "plots/gnuplot.hpp"
+
+namespace albedo::plots {
+namespace {
+
+constexpr std::array<std::string_view, 3> format_names{"pdf", "png", "svg"};
+
+void make_directory(const std::string& directory) {
+  std::error_code failure;
+  std::filesystem::create_directories(directory, failure);
+  if (failure) throw analysis::cannot_write(directory, failure.message());
+  if (!std::filesystem::is_directory(directory, failure)) {
+    throw analysis::cannot_write(directory, std::generic_category().message(ENOTDIR));
+  }
+}
+
+}  // namespace
+
+const std::vector<Figure>& figures() {
+  static const std::vector<Figure> list{
+      {"neumann-1", "albedo of Phong, Cook-Torrance and Ward against the angle of incidence (Neumann 1999, fig. 1)",
+       neumann_1},
+  };
+  return list;
+}
+
+const Figure& find_figure(const std::string& name) {
+  const auto found = std::ranges::find(figures(), name, &Figure::name);
+  if (found != figures().end()) return *found;
+  std::vector<std::string> names;
+  for (const Figure& figure : figures()) names.emplace_back(figure.name);
+  const std::string close = suggestion(name, names);
+  throw ParameterError("unknown figure '" + name + "'; " +
+                       (close.empty() ? "--list shows the figures there are" : "did you mean '" + close + "'?"));
+}
+
+std::string_view to_string(Format format) { return format_names[static_cast<std::size_t>(format)]; }
+
+Format parse_format(const std::string& text) {
+  const auto* const found = std::ranges::find(format_names, text);
+  if (found == format_names.end()) throw ParameterError("--format is '" + text + "' and must be pdf, png or svg");
+  return static_cast<Format>(found - format_names.begin());
+}
+
+std::size_t write_figure(const Figure& figure, const std::string& directory, const std::vector<Format>& formats) {
+  make_directory(directory);
+  const std::string stem = (std::filesystem::path(directory) / figure.name).string();
+  const std::string data_path = stem + ".csv", script_path = stem + ".gp";
+  const auto picture_path = [&stem](Format format) { return stem + "." + std::string(to_string(format)); };
+  analysis::AtomicFile::check(data_path);
+  analysis::AtomicFile::check(script_path);
+  for (const Format format : formats) analysis::AtomicFile::check(picture_path(format));
+
+  const Drawing drawing = figure.draw(figure.name);
+  std::deque<analysis::AtomicFile> files;
+  const auto add = [&files](const std::string& path, const std::string& content) {
+    analysis::AtomicFile& file = files.emplace_back(path);
+    file.stream() << content;
+    file.finish();
+  };
+  add(data_path, drawing.data);
+  add(script_path, drawing.script);
+  if (!formats.empty()) {
+    const std::vector<std::string> pictures = draw_with_gnuplot(std::string(figure.name), drawing, formats);
+    for (std::size_t i = 0; i < formats.size(); ++i) add(picture_path(formats[i]), pictures[i]);
+  }
+  for (analysis::AtomicFile& file : files) file.commit();
+  return drawing.unconverged;
+}
+
+}  // namespace albedo::plots

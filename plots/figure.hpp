@@ -1,0 +1,48 @@
+/// @file
+/// The figures: what they are called, and how one becomes files.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace albedo::plots {
+
+/// A figure before it is drawn.
+struct Drawing {
+  std::string data;             ///< the whole CSV file
+  std::string script;           ///< the whole gnuplot script, which reads the CSV file from the directory it is run in
+  std::size_t unconverged = 0;  ///< numbers in it that did not reach their tolerance
+};
+
+/// One entry of the list of figures.
+struct Figure {
+  std::string_view name;   ///< on the command line, and of its files
+  std::string_view title;  ///< what it shows
+  Drawing (*draw)(std::string_view name);
+};
+
+/// Neumann, Neumann, Szirmay-Kalos 1999, figure 1.
+Drawing neumann_1(std::string_view name);
+
+/// Every figure.
+const std::vector<Figure>& figures();
+
+/// The figure of that name. @throws ParameterError, with a suggestion for a misspelt name
+const Figure& find_figure(const std::string& name);
+
+enum class Format { pdf, png, svg };
+
+std::string_view to_string(Format format);
+
+/// @throws ParameterError unless the text names a format
+Format parse_format(const std::string& text);
+
+/// Writes NAME.csv, NAME.gp and one NAME.FORMAT for each format into a directory, which is made if need be. None
+/// appears unless all of them are whole. Without formats there is nothing to draw, and gnuplot isn't needed.
+/// @returns how many of the figure's numbers did not reach their tolerance
+/// @throws WriteError
+std::size_t write_figure(const Figure& figure, const std::string& directory, const std::vector<Format>& formats);
+
+}  // namespace albedo::plots

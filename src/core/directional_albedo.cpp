@@ -1,0 +1,113 @@
+#include "albedo/directional_albedo.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "albedo/core/errors.hpp"
+#include "albedo/rules/cubature.hpp"
+#include "albedo/rules/gauss.hpp"
+#include "albedo/rules/stratified.hpp"
+#include "albedo/warps/half_vector.hpp"
+#include "albedo/warps/hemisphere.hpp"
+#include "albedo/warps/mirror_lobe.hpp"
+#include "core/lobe_integrand.hpp"
+
+namespace albedo {
+namespace {
+
+template <class T>
+std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Direction& l,
+                                                   const AlbedoOptions& options) {
+  const bool as_float = options.precision == Precision::float32;
+  std::vector<std::unique_ptr<Integrand<Scalar<T>>>> parts;
+  for (const Lobe& lobe : model.lobes()) {
+    const LobeShape shape = options.warp == Warp::hemisphere ? LobeShape::cosine : lobe.shape;
+    switch (shape) {
+      case LobeShape::cosine:
+        parts.push_back(
+            std::make_unique<LobeIntegrand<HemisphereWarp, T>>(model, lobe, l, options.tolerance, as_float));
+        break;
+      case LobeShape::mirror:
+        parts.push_back(
+            std::make_unique<LobeIntegrand<MirrorLobeWarp, T>>(model, lobe, l, options.tolerance, as_float));
+        break;
+      case LobeShape::half_vector:
+        parts.push_back(
+            std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, options.tolerance, as_float));
+        break;
+    }
+  }
+  if (parts.size() == 1) return std::move(parts.front());
+  return std::make_unique<SumIntegrand<Scalar<T>>>(std::move(parts));
+}
+
+template <class S>
+Estimate rounded(const EstimateIn<S>& estimate) {
+  return {static_cast<double>(estimate.value), static_cast<double>(estimate.error), ErrorKind::embedded,
+          estimate.evaluations, estimate.status};
+}
+
+Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& options) {
+  const RuleOptions rule{options.tolerance, options.budget, options.seed};
+  if (options.precision == Precision::quad && options.rule == Rule::gauss) {
+    return rounded(gauss(*integrand_of<Quad>(model, l, options), rule));
+  }
+  const std::unique_ptr<Integrand<double>> integrand =
+      options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
+                                           : integrand_of<Block>(model, l, options);
+  switch (options.rule) {
+    case Rule::gauss:
+      return rounded(gauss(*integrand, rule));
+    case Rule::cubature:
+      return cubature(*integrand, rule);
+    case Rule::stratified:
+      break;
+  }
+  return stratified(*integrand, rule);
+}
+
+/// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
+/// limit.
+Estimate grazing_limit(const Model& model, const Direction& l, const AlbedoOptions& options) {
+  constexpr double far = 1e-12, near = 1e-14;
+  Direction toward = l;
+  toward.sin_theta = 1;
+  toward.cos_theta = far;
+  const Estimate before = integrate(model, toward, options);
+  toward.cos_theta = near;
+  Estimate limit = integrate(model, toward, options);
+  const double change = std::abs(limit.value - before.value);
+  limit.evaluations += before.evaluations;
+  if (limit.status == Status::non_finite || before.status == Status::non_finite) return limit;
+  const double growth = std::log(limit.value / before.value) / std::log(far / near);
+  constexpr double no_growth = 1e-3;  // per factor e of cosθ_L; a limit's own rate is far below at these cosines
+  if (growth > no_growth && change > 4 * (limit.error + before.error)) {
+    limit.value = limit.error = std::numeric_limits<double>::infinity();
+    limit.status = Status::divergent;
+    return limit;
+  }
+  limit.error += change;
+  limit.error_kind = ErrorKind::extrapolated;
+  if (limit.status == Status::converged && limit.error > options.tolerance * std::abs(limit.value)) {
+    limit.status = Status::budget_exhausted;
+  }
+  return limit;
+}
+
+}  // namespace
+
+Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
+  if (!(options.tolerance >= 1e-30 && options.tolerance < 1)) {
+    std::ostringstream message;
+    message << "tolerance is " << options.tolerance << " and must be within [1e-30, 1)";
+    throw ParameterError(message.str());
+  }
+  if (options.budget < 1)
+    throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
+  if (model.lobes().empty()) return {};
+  constexpr double grazing = 1e-60;  // no angle in degrees comes closer without being 90
+  return l.cos_theta > grazing ? integrate(model, l, options) : grazing_limit(model, l, options);
+}
+
+}  // namespace albedo

@@ -1,0 +1,125 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace albedo::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> keys(const Json& object) {
+  std::vector<std::string> names;
+  for (const auto& [key, item] : object.items()) names.push_back(key);
+  return names;
+}
+
+TEST_F(CliTest, AtPrintsOneJsonObjectWithTheKeysOfTheContract) {
+  const Outcome outcome = run_albedo({"at", "ward", "alpha=0.1", "--theta", "0,60", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(keys(object),
+            (std::vector<std::string>{"model", "parameters", "rule", "warp", "tolerance", "precision", "results"}));
+  EXPECT_EQ(object["model"], "ward");
+  EXPECT_EQ(object["parameters"]["alpha_x"], 0.1);
+  EXPECT_EQ(object["parameters"]["alpha_y"], 0.1);
+  EXPECT_EQ(object["rule"], "gauss");
+  EXPECT_EQ(object["warp"], "lobe");
+  EXPECT_EQ(object["tolerance"], 1e-8);
+  EXPECT_EQ(object["precision"], "double");
+  ASSERT_EQ(object["results"].size(), 2U);
+  const Json& result = object["results"][1];
+  EXPECT_EQ(keys(result), (std::vector<std::string>{"theta_deg", "phi_deg", "albedo", "error", "error_kind",
+                                                    "evaluations", "status", "seconds"}));
+  EXPECT_EQ(result["theta_deg"], 60);
+  EXPECT_EQ(result["phi_deg"], 0);
+  EXPECT_EQ(result["status"], "converged");
+  EXPECT_GT(result["evaluations"], 0);
+  // Adaptive quadrature in 50 digits.
+  EXPECT_NEAR(object["results"][0]["albedo"].get<double>(), 0.971051675567, 1e-8);
+  EXPECT_NEAR(result["albedo"].get<double>(), 0.488988056485, 5e-9);
+}
+
+TEST_F(CliTest, AtPrintsAlignedColumnsOtherwise) {
+  const Outcome outcome = run_albedo({"at", "lambert", "rho=0.5", "--theta", "0,89.5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(line_count(outcome.out), 3U);
+  EXPECT_TRUE(outcome.out.starts_with("theta  phi  ")) << outcome.out;
+  const std::size_t width = outcome.out.find('\n');
+  EXPECT_EQ(outcome.out.size(), 3 * (width + 1)) << outcome.out;
+}
+
+TEST_F(CliTest, AtNinetyDegreesIsTheLimitOrDivergent) {
+  const Outcome divergent = run_albedo({"at", "ward", "--theta", "90", "--json"});
+  EXPECT_EQ(divergent.code, 0) << divergent.err;
+  const Json infinite = Json::parse(divergent.out)["results"][0];
+  EXPECT_TRUE(infinite["albedo"].is_null());
+  EXPECT_EQ(infinite["status"], "divergent");
+
+  const Outcome limit = run_albedo({"at", "lambert", "rho=0.5", "--theta", "90", "--json"});
+  EXPECT_EQ(limit.code, 0) << limit.err;
+  EXPECT_NEAR(Json::parse(limit.out)["results"][0]["albedo"].get<double>(), 0.5, 1e-8);
+}
+
+TEST_F(CliTest, AtTakesAChoiceThatLooksLikeANumber) {
+  const auto albedo = [](const std::string& equation) {
+    const Outcome outcome = run_albedo({"at", "kurt", "equation=" + equation, "--theta", "60", "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  };
+  const Json nine = albedo("9"), ten = albedo("10");
+  EXPECT_EQ(nine["parameters"]["equation"], "9");
+  EXPECT_NE(nine["results"][0]["albedo"], ten["results"][0]["albedo"]);
+}
+
+TEST_F(CliTest, AtHasACoarserDefaultForTheStratifiedRuleAndRepeatsItsSeed) {
+  const std::vector<std::string> arguments{"at",         "lambert", "--theta", "30",    "--rule",
+                                           "stratified", "--seed",  "7",       "--json"};
+  const Json first = Json::parse(run_albedo(arguments).out);
+  EXPECT_EQ(first["tolerance"], 1e-4);
+  EXPECT_EQ(first["seed"], 7);
+  EXPECT_EQ(first["results"][0]["albedo"], Json::parse(run_albedo(arguments).out)["results"][0]["albedo"]);
+}
+
+TEST_F(CliTest, AtPrintsResultsThatMissedTheToleranceAndExitsWith3) {
+  const Outcome outcome = run_albedo(
+      {"at", "ward", "--theta", "0,60", "--rule", "cubature", "--warp", "hemisphere", "--budget", "100", "--json"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
+  const Json results = Json::parse(outcome.out)["results"];
+  EXPECT_EQ(results.size(), 2U);
+  EXPECT_NE(results[1]["status"], "converged");
+}
+
+TEST_F(CliTest, AtHoldsItsResultsAgainstAssertions) {
+  const auto at = [](const std::string& condition) {
+    return run_albedo({"at", "ward", "alpha=0.1", "--theta", "0,60", "--assert", condition});
+  };
+  for (const std::string condition :
+       {"max<=1", "at(60)==0.488988±1e-6", "at(60)==0.488988+-1e-6, error<=1e-6", "min>0.4"}) {
+    EXPECT_EQ(at(condition).code, 0) << condition;
+  }
+  const Outcome failed = at("max<=1, at(60)<=0.4");
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_EQ(line_count(failed.err), 1U);
+  EXPECT_NE(failed.err.find("at(60)<=0.4"), std::string::npos) << failed.err;
+  EXPECT_NE(failed.err.find("0.488988"), std::string::npos) << failed.err;
+  EXPECT_EQ(line_count(failed.out), 3U);  // the results are printed all the same
+}
+
+TEST_F(CliTest, AnAlbedoThatIsInfiniteExceedsEveryBound) {
+  EXPECT_EQ(run_albedo({"at", "ward", "--theta", "0,90", "--assert", "max<=1e300"}).code, 1);
+}
+
+TEST_F(CliTest, AFullDeviceIsAFailureToWrite) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"at", "ward", "--theta", "0"}, {"models"}, {"curve", "lambert"}, {"table", "lambert", "-o", "-"}}) {
+    const Outcome outcome = run_albedo(arguments, "/dev/full");
+    EXPECT_EQ(outcome.code, 4) << arguments.front();
+    EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace albedo::test

@@ -1,0 +1,267 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+bool installed(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+struct Outcome {
+  int exit_code;
+  std::string out, err;
+};
+
+/// Runs albedo-figures as a user does, in a directory of its own.
+class Figures : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::path(testing::TempDir()) / "albedo_figures_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    directory_ = pattern;
+    fs::create_directory(directory_ / "out");
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  /// `environment` is written as in a shell: "PATH=/bin TZ=UTC".
+  [[nodiscard]] Outcome run(const std::string& arguments, const std::string& environment = "") const {
+    const std::string command = "cd '" + directory_.string() + "' && " + environment +
+                                " '" ALBEDO_FIGURES_PROGRAM "' " + arguments + " >stdout.txt 2>stderr.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(directory_ / "stdout.txt"),
+            read(directory_ / "stderr.txt")};
+  }
+
+  /// The names in a directory below the test's, in order.
+  [[nodiscard]] Names names(const std::string& where = "out") const {
+    Names result;
+    for (const auto& entry : fs::directory_iterator(directory_ / where)) {
+      result.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(result);
+    return result;
+  }
+
+  /// Puts a shell script named gnuplot into bin/, to be found first with PATH=bin:$PATH.
+  [[nodiscard]] std::string with_fake_gnuplot(const std::string& script) const {
+    fs::create_directory(directory_ / "bin");
+    std::ofstream(directory_ / "bin/gnuplot") << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(directory_ / "bin/gnuplot", fs::perms::owner_all);
+    return "PATH='" + (directory_ / "bin").string() + "':$PATH";
+  }
+
+  fs::path directory_;
+};
+
+/// A figure's data: the "# key: value" lines, the column names, and the numbers by column.
+struct Data {
+  std::map<std::string, std::string> header;
+  Names columns;
+  std::map<std::string, std::vector<double>> values;
+
+  explicit Data(const fs::path& path) {
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with("# ")) {
+        const std::size_t colon = line.find(": ");
+        header[line.substr(2, colon - 2)] = line.substr(colon + 2);
+        continue;
+      }
+      Names fields;
+      std::istringstream stream(line);
+      for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+      if (columns.empty()) {
+        columns = fields;
+        continue;
+      }
+      EXPECT_EQ(fields.size(), columns.size()) << line;
+      for (std::size_t i = 0; i < std::min(fields.size(), columns.size()); ++i) {
+        values[columns[i]].push_back(std::stod(fields[i]));
+      }
+    }
+  }
+};
+
+TEST_F(Figures, AreListed) {
+  const Outcome outcome = run("--list");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(outcome.out.starts_with("neumann-1 ")) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(Figures, OfUnknownNameSuggestTheRightOne) {
+  const Outcome outcome = run("neuman-1 --output new");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "albedo-figures: unknown figure 'neuman-1'; did you mean 'neumann-1'?\n");
+  EXPECT_FALSE(fs::exists(directory_ / "new"));
+}
+
+TEST_F(Figures, WantOneClearLineOfUsage) {
+  for (const char* const arguments : {"", "--format png", "--all --format gif", "--all --format ''", "--all --format",
+                                      "--all --fromat png", "neumann-1 --output", "neumann-1 other"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_TRUE(outcome.err.starts_with("albedo-figures: ")) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(names("."), (Names{"out", "stderr.txt", "stdout.txt"})) << arguments;
+  }
+}
+
+TEST_F(Figures, HaveHelpWithAnExample) {
+  const Outcome outcome = run("--help");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.out, "Example: albedo-figures neumann-1")) << outcome.out;
+}
+
+TEST_F(Figures, CannotGoWhereNoDirectoryCanBe) {
+  std::ofstream(directory_ / "file") << "kept";
+  for (const char* const where : {"file", "file/below", "/proc/albedo"}) {
+    const Outcome outcome = run("neumann-1 --data-only --output " + std::string(where));
+    EXPECT_EQ(outcome.exit_code, 4) << where;
+    EXPECT_TRUE(contains(outcome.err, "cannot write '" + std::string(where) + "'")) << outcome.err;
+  }
+  EXPECT_EQ(read(directory_ / "file"), "kept");
+}
+
+TEST_F(Figures, AreWrittenWholeOrNotAtAll) {
+  fs::create_directory(directory_ / "out/neumann-1.pdf");
+  const Outcome outcome = run("neumann-1 --output out");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_TRUE(contains(outcome.err, "cannot write 'out/neumann-1.pdf'")) << outcome.err;
+  EXPECT_EQ(names(), Names{"neumann-1.pdf"});
+}
+
+TEST_F(Figures, DataOnlyWritesTheNumbersAndTheScript) {
+  const Outcome outcome = run("neumann-1 --data-only --output new/out", "PATH=/nowhere");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_EQ(names("new/out"), (Names{"neumann-1.csv", "neumann-1.gp"}));
+
+  Data data(directory_ / "new/out/neumann-1.csv");
+  EXPECT_EQ(data.columns,
+            (Names{"theta_l", "cos_theta_l", "phong", "phong_error", "ward", "ward_error", "cook_torrance",
+                   "cook_torrance_error", "cook_torrance_without_g", "cook_torrance_without_g_error"}));
+  for (const auto& [column, values] : data.values) {
+    EXPECT_GT(values.size(), 300U);
+    EXPECT_TRUE(std::ranges::all_of(values, [](double value) { return std::isfinite(value) && value >= 0; })) << column;
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(data.values["theta_l"]));
+  EXPECT_EQ(data.values["theta_l"].front(), 0);
+  EXPECT_EQ(data.values["cos_theta_l"].back(), 1e-8);
+  EXPECT_EQ(data.header["command"], "albedo-figures neumann-1");
+  EXPECT_EQ(data.header["not converged"], "0");
+  EXPECT_TRUE(contains(data.header["curve ward"], "ward alpha_x=0.1")) << data.header["curve ward"];
+}
+
+TEST_F(Figures, Neumann1ShowsWhatIsKnown) {
+  ASSERT_EQ(run("neumann-1 --data-only").exit_code, 0);
+  Data data(directory_ / "neumann-1.csv");
+  const auto& theta = data.values["theta_l"];
+  const auto at_60 = std::ranges::find_if(theta, [](double value) { return std::abs(value - 60) < 1e-9; });
+  ASSERT_NE(at_60, theta.end());
+  const auto row = static_cast<std::size_t>(at_60 - theta.begin());
+  // Ward: from an independent integration. Phong, n → ∞: cosθ, which n = 150 is near to.
+  EXPECT_NEAR(data.values["ward"][row], 0.488988056485, 5e-9);
+  EXPECT_NEAR(data.values["phong"][row], 0.5, 1e-4);
+  EXPECT_NEAR(data.values["ward"][0], 0.971051675567, 1e-8);
+  // With G, Cook–Torrance ends at 1 instead of diverging.
+  EXPECT_NEAR(data.values["cook_torrance"].back(), 1, 1e-6);
+  EXPECT_NEAR(std::stod(data.header["grazing exponent of ward"]), -0.5, 1e-5);
+  EXPECT_NEAR(std::stod(data.header["grazing exponent of cook_torrance_without_g"]), -1, 1e-5);
+  EXPECT_NEAR(std::stod(data.header["grazing exponent of phong"]), 0, 1e-5);
+}
+
+TEST_F(Figures, NeedGnuplotForPictures) {
+  const Outcome outcome = run("neumann-1 --output out", "PATH=/nowhere");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(
+      outcome.err,
+      "albedo-figures: cannot draw 'neumann-1': gnuplot was not found; install it, or draw nothing with --data-only\n");
+  EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(Figures, ReportWhatGnuplotSays) {
+  const Outcome outcome = run("neumann-1 --output out", with_fake_gnuplot("echo 'no such terminal' >&2; exit 1"));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.err, "albedo-figures: cannot draw 'neumann-1': gnuplot failed: no such terminal\n");
+  EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(Figures, DoNotTakeGnuplotsWordForAPicture) {
+  const Outcome outcome = run("neumann-1 --output out", with_fake_gnuplot("exec cat >/dev/null"));
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_TRUE(contains(outcome.err, "gnuplot made no pdf")) << outcome.err;
+  EXPECT_EQ(names(), Names{});
+}
+
+TEST_F(Figures, AreDrawnInEveryFormatAndTheSameEveryTime) {
+  if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome outcome = run("--format png neumann-1 --format pdf --format svg --format png --output out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  const Names files{"neumann-1.csv", "neumann-1.gp", "neumann-1.pdf", "neumann-1.png", "neumann-1.svg"};
+  ASSERT_EQ(names(), files);
+  EXPECT_TRUE(read(directory_ / "out/neumann-1.png").starts_with("\x89PNG\r\n\x1a\n"));
+  EXPECT_TRUE(read(directory_ / "out/neumann-1.pdf").starts_with("%PDF-"));
+  EXPECT_TRUE(contains(read(directory_ / "out/neumann-1.svg"), "</svg>"));
+
+  ::sleep(1);  // so that a date in a picture would be another
+  ASSERT_EQ(run("--all --format svg --format pdf --format png -o again", "TZ=Asia/Tokyo").exit_code, 0);
+  for (const std::string& file : files) {
+    EXPECT_EQ(read(directory_ / "out" / file), read(directory_ / "again" / file)) << file;
+  }
+}
+
+TEST_F(Figures, BringTheirFontsAlong) {
+  if (!installed("gnuplot") || !installed("pdffonts")) GTEST_SKIP() << "gnuplot or pdffonts is not installed";
+  ASSERT_EQ(run("neumann-1").exit_code, 0);
+  const std::string file = (directory_ / "neumann-1.pdf").string();
+  const std::string list = (directory_ / "fonts.txt").string();
+  ASSERT_EQ(std::system(("pdffonts '" + file + "' >'" + list + "'").c_str()), 0);
+  std::ifstream fonts(list);
+  std::string line;
+  std::getline(fonts, line);
+  const std::size_t embedded = line.find("emb");
+  ASSERT_NE(embedded, std::string::npos) << line;
+  std::getline(fonts, line);
+  int count = 0;
+  for (; std::getline(fonts, line); ++count) EXPECT_EQ(line.substr(embedded, 3), "yes") << line;
+  EXPECT_GT(count, 0);
+}
+
+TEST_F(Figures, CanBeDrawnAgainFromTheirFiles) {
+  if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_EQ(run("neumann-1 --format png --output out").exit_code, 0);
+  const std::string program_made = read(directory_ / "out/neumann-1.png");
+  fs::remove(directory_ / "out/neumann-1.png");
+  const std::string command =
+      "cd '" + (directory_ / "out").string() + "' && gnuplot --default-settings -e \"format='png'\" neumann-1.gp";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(read(directory_ / "out/neumann-1.png"), program_made);
+}
+
+}  // namespace
