@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/suggestion.hpp"
 #include "albedo/version.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/provenance.hpp"
@@ -21,9 +22,9 @@ void check_understood(const CLI::App& app, const std::vector<std::string>& candi
   const std::vector<std::string> left = app.remaining();
   if (left.empty()) return;
   const std::string& word = left.front();
-  const auto close = suggestion(word, candidates);
+  const std::string close = albedo::suggestion(word, candidates);
   throw albedo::ParameterError("unknown " + kind + " '" + word + "'" +
-                               (close ? "; did you mean '" + *close + "'?" : ""));
+                               (close.empty() ? "" : "; did you mean '" + close + "'?"));
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <exception>
 #include <functional>
-#include <limits>
-#include <optional>
+#include <numeric>
 
 #include "albedo/core/errors.hpp"
 

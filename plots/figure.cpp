@@ -8,6 +8,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/model.hpp"
+#include "albedo/core/suggestion.hpp"
 #include "analysis/output/atomic_file.hpp"
 #include "plots/gnuplot.hpp"
 

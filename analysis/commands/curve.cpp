@@ -132,7 +132,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   check_answerable(
       arguments.assertions, [&](double, double phi) { return phi == arguments.phi; },
       "the curve is that of another --phi");
-  if (!output.empty()) check_table_path(output, {{.name = "cos_theta"}});
+  if (!output.empty()) check_table_path(output, {{.name = "cos_theta", .values = {1}}});
 
   CurveOptions options{.albedo = arguments.options.albedo()};
   options.phi_degrees = arguments.phi;

@@ -18,6 +18,8 @@ struct Name {
   std::string_view name;
   E value;
 };
+template <class E>
+Name(std::string_view, E) -> Name<E>;
 
 constexpr std::array rule_names{Name{"gauss", Rule::gauss}, Name{"cubature", Rule::cubature},
                                 Name{"stratified", Rule::stratified}};

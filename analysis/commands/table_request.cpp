@@ -28,7 +28,9 @@ TableAxis parse_parameter_axis(const ModelInfo& model, const Assignment& assignm
     }
   }
   TableAxis axis{assignment.name, parse_values(model.name + ": " + assignment.name, assignment.text)};
-  for (const double value : axis.values) make_model(model.name, {{axis.name, value}});  // refuses the name or the value
+  const auto [least, most] = std::ranges::minmax(axis.values);
+  for (const double value : {least, most})
+    make_model(model.name, {{axis.name, value}});  // refuses the name or the value
   return axis;
 }
 

@@ -49,6 +49,7 @@ void append_json(std::string& text, const Json& value) {
 }  // namespace
 
 std::string number_text(double value, int digits) {
+  if (std::isnan(value)) return "nan";  // without the sign that some have
   std::array<char, 32> buffer{};
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);

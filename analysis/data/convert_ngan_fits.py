@@ -4,12 +4,11 @@
     python3 convert_ngan_fits.py fits.jsonl [--cook-torrance-scale X] [--output DIRECTORY]
 
 Writes ngan_ward.json, ngan_cook_torrance.json and ngan_ashikhmin_shirley.json, one material a line. README.md says what
-each number means; --cook-torrance-scale (default 4/pi) is the factor between the fits' specular scale and ours.
+each number means; --cook-torrance-scale (default 1; 4/pi for bbm's reading) is the factor between the fits' specular scale and ours.
 """
 
 import argparse
 import json
-import math
 import os
 
 MATERIALS = 86
@@ -32,7 +31,7 @@ def ashikhmin_shirley(diffuse, specular):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("fits")
-    parser.add_argument("--cook-torrance-scale", type=float, default=4 / math.pi)
+    parser.add_argument("--cook-torrance-scale", type=float, default=1.0)
     parser.add_argument("--output", default=os.path.dirname(os.path.abspath(__file__)))
     arguments = parser.parse_args()
     scale = arguments.cook_torrance_scale

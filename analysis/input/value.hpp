@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,9 +47,5 @@ std::vector<double> parse_values(std::string_view what, std::string_view text);
 /// A list of angles in degrees, each in [0, 90].
 /// @throws ParameterError naming `what`
 std::vector<double> parse_angles(std::string_view what, std::string_view text);
-
-/// The candidate that `word` may be a misspelling of: the nearest one, if at most a third of its letters (at least one)
-/// are missing, extra, wrong or swapped with their neighbour. Case is not looked at.
-std::optional<std::string> suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace albedo::analysis

@@ -29,8 +29,8 @@ struct AlbedoOptions {
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V, the fraction of the light from L that is reflected   [Neumann
 /// 1999, eq. 2].
 ///
-/// At grazing incidence (θ = 90°, cosθ below 1e-60) it is the limit from above the horizon, or status `divergent` with an
-/// infinite value.
+/// At grazing incidence (θ = 90°, cosθ below 1e-60) it is the limit from above the horizon, or status `divergent` with
+/// an infinite value.
 /// @throws ParameterError unless the tolerance is within [1e-30, 1) and the budget positive.
 Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options = {});
 

@@ -19,9 +19,10 @@ constexpr int fitted_between = 2;      // samples in every gap between nodes of 
 constexpr std::size_t most_rational = 80;
 constexpr int fewest_nodes = 16;
 
-// Errors are measured at three or more points between neighbouring nodes, where they swing once or twice. What is met
-// at worst 45° from the crest of a swing is 1/1.41 of the crest.
-constexpr double unmeasured = 1.5;
+// Errors are measured at three or more points between neighbouring nodes, where they swing once or twice: twice what is
+// met covers swings that are met no closer than 60° from their crest.
+constexpr double unmeasured = 2;
+constexpr double measured_share = 0.45;                                   // of the tolerance
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of a look-up
 
 struct Sample {
@@ -190,11 +191,13 @@ double change_of_weights(const Samples& samples, const Fit& fit) {
   other.take_nodes(samples);
   fit_weights(samples, other);
   double change = 0;
+  const auto compare = [&](double t) { change = std::max(change, samples.difference(fit(t), other(t))); };
   for (std::size_t j = 0; j + 1 < fit.x.size(); ++j) {
-    for (int step = 1; step < steps; ++step) {
-      const double t = fit.x[j] + (fit.x[j + 1] - fit.x[j]) * step / steps;
-      change = std::max(change, samples.difference(fit(t), other(t)));
-    }
+    for (int step = 1; step < steps; ++step) compare(fit.x[j] + (fit.x[j + 1] - fit.x[j]) * step / steps);
+  }
+  for (double distance = 0.1; distance > 1e-7; distance /= 2) {
+    compare(fit.x.front() + distance);
+    compare(fit.x.back() - distance);
   }
   return change;
 }
@@ -295,13 +298,15 @@ AlbedoCurve::AlbedoCurve(const Model& model, const CurveOptions& options) {
   const double tolerance = options.albedo.tolerance;
   Samples samples(model, options);
   for (int i = 0; i <= first_gaps; ++i) samples.add(-std::log(last_cosine) * i / first_gaps);
-  for (const double near_normal : {0.02, 0.2}) samples.add(near_normal);  // nothing holds a fit from beyond x = 0
+  // Nothing holds a fit from beyond its ends: without these it could leave the nodes there by a jump that no sample
+  // sees.
+  for (const double x : {0.002, 0.02, 0.2, -std::log(last_cosine) - 0.05}) samples.add(x);
 
   Fit fit{CurveForm::rational};
   bool logarithmic = true;
   do {  // again if a zero came up
     logarithmic = samples.logarithmic();
-    fit = best_fit(samples, tolerance / 2, static_cast<std::size_t>(options.most_nodes));
+    fit = best_fit(samples, measured_share * tolerance, static_cast<std::size_t>(options.most_nodes));
   } while (samples.logarithmic() != logarithmic);
   form_ = fit.form;
   logarithmic_ = samples.logarithmic();
@@ -315,11 +320,19 @@ AlbedoCurve::AlbedoCurve(const Model& model, const CurveOptions& options) {
   weights_ = std::move(fit.weights);
 
   const Estimate limit = samples.integrate(0), near = samples.integrate(beyond), far = samples.integrate(asymptotic);
-  const double growth = std::log(far.value / near.value) / std::log(asymptotic / beyond);
+  // a = A (c/c₀)^p (1 + b c/c₀) through the last node and the two beyond; p all but follows from these, so that few
+  // rounds do.
+  const double last = nodes_.back().albedo.value, f = asymptotic / last_cosine, n = beyond / last_cosine;
+  double p = 0, b = 0, factor = 0;
+  for (int round = 0; round < 4; ++round) {
+    p = std::log(far.value * (1 + b * n) / (near.value * (1 + b * f))) / std::log(f / n);
+    factor = far.value / (std::pow(f, p) * (1 + b * f));
+    b = last / factor - 1;
+  }
   constexpr double no_growth = 1e-3;  // what directional_albedo takes for a limit
-  if (limit.status == Status::divergent || growth > no_growth) {
-    grazing_exponent_ = growth;
-    grazing_factor_ = far.value * std::pow(last_cosine / asymptotic, growth);
+  if (limit.status == Status::divergent || p > no_growth) {
+    grazing_exponent_ = p;
+    grazing_factor_ = factor;
     grazing_value_ = limit.status == Status::divergent ? infinity : 0;
   } else {
     grazing_factor_ = grazing_value_ = limit.value;
@@ -330,7 +343,6 @@ AlbedoCurve::AlbedoCurve(const Model& model, const CurveOptions& options) {
     error = std::max(error, samples.relative((*this)(node.cos_theta) - node.albedo.value, node.albedo.value));
     node_error = std::max(node_error, samples.relative(node.albedo.error, node.albedo.value));
   }
-  if (grazing_exponent_ == 0) node_error = std::max(node_error, samples.relative(limit.error, limit.value));
 
   relative_bound_ = unmeasured * error + node_error + rounding;
   evaluations_ = samples.evaluations();
@@ -346,9 +358,8 @@ double AlbedoCurve::operator()(double cos_theta) const {
   const double x = -std::log(cos_theta);
   if (x > variable_.back()) {
     if (cos_theta == 0) return grazing_value_;
-    const Node& last = nodes_.back();
-    const double ratio = cos_theta / last.cos_theta;
-    const double a = grazing_factor_ + (last.albedo.value - grazing_factor_) * ratio;
+    const double ratio = cos_theta / nodes_.back().cos_theta;
+    const double a = grazing_factor_ + (nodes_.back().albedo.value - grazing_factor_) * ratio;
     return grazing_exponent_ == 0 ? a : a * std::pow(ratio, grazing_exponent_);
   }
   const double f = form_ == CurveForm::rational ? rational(variable_, values_, weights_, x)
@@ -359,7 +370,8 @@ double AlbedoCurve::operator()(double cos_theta) const {
 double AlbedoCurve::upper(double cos_theta) const {
   const double a = (*this)(cos_theta);
   if (!(relative_bound_ < 1)) return infinity;
-  return a + relative_bound_ / (1 - relative_bound_) * std::max(a, floor_);  // the bound is relative to the albedo, not to a
+  return a + relative_bound_ / (1 - relative_bound_) *
+                 std::max(a, floor_);  // the bound is relative to the albedo, not to a
 }
 
 }  // namespace albedo

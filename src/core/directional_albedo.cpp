@@ -69,8 +69,10 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
 /// limit.
-Estimate grazing_limit(const Model& model, const Direction& l, const AlbedoOptions& options) {
+Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions options) {
   constexpr double far = 1e-12, near = 1e-14;
+  const double tolerance = options.tolerance;
+  options.tolerance = std::max(tolerance / 2, 1e-30);  // the other half is for the way to the limit
   Direction toward = l;
   toward.sin_theta = 1;
   toward.cos_theta = far;
@@ -89,7 +91,7 @@ Estimate grazing_limit(const Model& model, const Direction& l, const AlbedoOptio
   }
   limit.error += change;
   limit.error_kind = ErrorKind::extrapolated;
-  if (limit.status == Status::converged && limit.error > options.tolerance * std::abs(limit.value)) {
+  if (limit.status == Status::converged && limit.error > tolerance * std::abs(limit.value)) {
     limit.status = Status::budget_exhausted;
   }
   return limit;

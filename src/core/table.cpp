@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/suggestion.hpp"
 
 namespace albedo {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "albedo/core/erased_model.hpp"
 #include "albedo/core/errors.hpp"
+#include "albedo/core/suggestion.hpp"
 #include "albedo/models/all.hpp"
 
 namespace albedo {
@@ -123,36 +124,6 @@ const std::vector<ModelInfo>& model_infos() { return Registry::instance().infos;
 const ModelInfo& model_info(std::string_view name) {
   const Registry& registry = Registry::instance();
   return registry.infos[registry.find(name)];
-}
-
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-  std::string best;
-  std::size_t closest = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string& candidate : candidates) {
-    // optimal string alignment: Levenshtein's distance with neighbours exchanged counting as one
-    const std::size_t rows = word.size() + 1, columns = candidate.size() + 1;
-    std::vector<std::size_t> d(rows * columns);
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t j = 0; j < columns; ++j) {
-        std::size_t& here = d[i * columns + j];
-        if (i == 0 || j == 0) {
-          here = i + j;
-          continue;
-        }
-        const std::size_t changed = word[i - 1] == candidate[j - 1] ? 0 : 1;
-        here = std::min(
-            {d[(i - 1) * columns + j] + 1, d[i * columns + j - 1] + 1, d[(i - 1) * columns + j - 1] + changed});
-        if (i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1]) {
-          here = std::min(here, d[(i - 2) * columns + j - 2] + 1);
-        }
-      }
-    }
-    if (d.back() < closest) {
-      closest = d.back();
-      best = candidate;
-    }
-  }
-  return best;
 }
 
 }  // namespace albedo

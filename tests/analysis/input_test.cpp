@@ -189,26 +189,6 @@ TEST(Angles, AreDegreesFromNormalToGrazing) {
   }
 }
 
-TEST(Suggestion, FindsTheNearestName) {
-  const std::vector<std::string> models{"lambert",          "phong", "blinn", "ward", "ggx", "cook_torrance",
-                                        "ashikhmin_shirley"};
-  const std::vector<std::pair<std::string, std::string>> cases{{"wardd", "ward"},
-                                                               {"wrad", "ward"},
-                                                               {"war", "ward"},
-                                                               {"Ward", "ward"},
-                                                               {"GGX", "ggx"},
-                                                               {"cook-torrance", "cook_torrance"},
-                                                               {"cooktorance", "cook_torrance"},
-                                                               {"pohng", "phong"},
-                                                               {"ahsikmin_shirley", "ashikhmin_shirley"}};
-  for (const auto& [word, expected] : cases) EXPECT_EQ(suggestion(word, models), expected) << word;
-  for (const char* const word : {"", "oren_nayar", "xyz", "wxyz", "g"})
-    EXPECT_EQ(suggestion(word, models), std::nullopt) << word;
-  EXPECT_EQ(suggestion("a", {"k"}), std::nullopt);
-  EXPECT_EQ(suggestion("alhpa", {"alpha_x", "alpha", "alpha_y"}), "alpha");
-  EXPECT_EQ(suggestion(std::string(1'000'000, 'w'), models), std::nullopt);
-}
-
 TEST(Assertions, AreParsed) {
   const auto conditions = parse_assertions(
       " max<=1, min >= 0.2 &&error<1e-6,mean>-.5 && evaluations <= 1e4,at( 60 , -30.5 )==0.488988±1e-6 ");

@@ -36,7 +36,7 @@ TEST_F(CliTest, AtPrintsOneJsonObjectWithTheKeysOfTheContract) {
   EXPECT_EQ(result["phi_deg"], 0);
   EXPECT_EQ(result["status"], "converged");
   EXPECT_GT(result["evaluations"], 0);
-  // Adaptive quadrature in 50 digits.
+  // tests/golden/independent.json says how these two were computed.
   EXPECT_NEAR(object["results"][0]["albedo"].get<double>(), 0.971051675567, 1e-8);
   EXPECT_NEAR(result["albedo"].get<double>(), 0.488988056485, 5e-9);
 }

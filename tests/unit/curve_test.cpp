@@ -252,8 +252,7 @@ TEST(Curve, HoldsZeros) {
   EXPECT_EQ(curve(1), 0);
   EXPECT_NEAR(curve(0), 1, 1e-7);
   for (const double c : random_cosines(500)) {
-    EXPECT_LE(std::abs(curve(c) - truth(c)),
-              curve.relative_bound() * std::max(truth(c), AlbedoCurve::relative_floor));
+    EXPECT_LE(std::abs(curve(c) - truth(c)), curve.relative_bound() * std::max(truth(c), AlbedoCurve::relative_floor));
     EXPECT_GE(curve.upper(c), truth(c));
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 namespace albedo {
 
@@ -14,22 +15,27 @@ struct BlockMask {
 
 /// A handful of doubles that are computed together: the number type of the fast path.
 ///
-/// A value type around a fixed-size Eigen array, so that a formula written for `double` runs on it as it stands (`auto`
-/// can't capture a dangling expression). Eigen vectorises `exp log log1p expm1 sqrt`; what it doesn't vectorise goes
-/// lane by lane here.
-struct Block {
+/// A value type around a fixed-size Eigen array, so that a formula written for `double` runs on it as it stands and
+/// `auto` can't capture a dangling expression. Eigen vectorises `exp log sqrt`; what it doesn't is built from those or
+/// goes lane by lane here.
+struct alignas(64) Block {
   using Lanes = Eigen::Array<double, block_width, 1>;
 
   Lanes lanes;
 
   Block() = default;
-  Block(double value)
-      : lanes(Lanes::Constant(value)) {}  // NOLINT(google-explicit-constructor): constants mix with blocks
-  explicit Block(const Lanes& values) : lanes(values) {}
-  template <class Derived>
-  explicit Block(const Eigen::ArrayBase<Derived>& values) : lanes(values) {}
+  Block(double value)  // NOLINT(google-explicit-constructor): constants mix with blocks
+      : lanes(Lanes::Constant(value)) {}
 
-  static Block load(const double* values) { return Block(Eigen::Map<const Lanes>(values)); }
+  /// Evaluates an Eigen expression.
+  template <class Expression>
+  [[gnu::always_inline]] static Block from(const Expression& expression) {
+    Block block;
+    block.lanes = expression;
+    return block;
+  }
+
+  static Block load(const double* values) { return from(Eigen::Map<const Lanes>(values)); }
 
   /// The first `count` values, the last of them repeated: a partly filled block never evaluates a made-up point.
   static Block load_partial(const double* values, int count) {
@@ -49,28 +55,46 @@ struct Block {
   Block& operator*=(const Block& b) { return *this = *this * b; }
   Block& operator/=(const Block& b) { return *this = *this / b; }
 
-  friend Block operator-(const Block& a) { return Block(-a.lanes); }
-  friend Block operator+(const Block& a, const Block& b) { return Block(a.lanes + b.lanes); }
-  friend Block operator-(const Block& a, const Block& b) { return Block(a.lanes - b.lanes); }
-  friend Block operator*(const Block& a, const Block& b) { return Block(a.lanes * b.lanes); }
-  friend Block operator/(const Block& a, const Block& b) { return Block(a.lanes / b.lanes); }
+  [[gnu::always_inline]] friend Block operator-(const Block& a) { return from(-a.lanes); }
+  [[gnu::always_inline]] friend Block operator+(const Block& a, const Block& b) { return from(a.lanes + b.lanes); }
+  [[gnu::always_inline]] friend Block operator-(const Block& a, const Block& b) { return from(a.lanes - b.lanes); }
+  [[gnu::always_inline]] friend Block operator*(const Block& a, const Block& b) { return from(a.lanes * b.lanes); }
+  [[gnu::always_inline]] friend Block operator/(const Block& a, const Block& b) { return from(a.lanes / b.lanes); }
 
   friend BlockMask operator<(const Block& a, const Block& b) { return {a.lanes < b.lanes}; }
   friend BlockMask operator>(const Block& a, const Block& b) { return {a.lanes > b.lanes}; }
   friend BlockMask operator<=(const Block& a, const Block& b) { return {a.lanes <= b.lanes}; }
   friend BlockMask operator>=(const Block& a, const Block& b) { return {a.lanes >= b.lanes}; }
+  friend BlockMask operator==(const Block& a, const Block& b) { return {a.lanes == b.lanes}; }
 };
 
-inline Block exp(const Block& x) { return Block(x.lanes.exp()); }
-inline Block expm1(const Block& x) { return Block(x.lanes.expm1()); }
-inline Block log(const Block& x) { return Block(x.lanes.log()); }
-inline Block log1p(const Block& x) { return Block(x.lanes.log1p()); }
-inline Block sqrt(const Block& x) { return Block(x.lanes.sqrt()); }
-inline Block abs(const Block& x) { return Block(x.lanes.abs()); }
-inline Block min(const Block& a, const Block& b) { return Block(a.lanes.min(b.lanes)); }
-inline Block max(const Block& a, const Block& b) { return Block(a.lanes.max(b.lanes)); }
-inline Block select(const BlockMask& mask, const Block& a, const Block& b) {
-  return Block(mask.lanes.select(a.lanes, b.lanes));
+[[gnu::always_inline]] inline Block exp(const Block& x) { return Block::from(x.lanes.exp()); }
+[[gnu::always_inline]] inline Block log(const Block& x) { return Block::from(x.lanes.log()); }
+[[gnu::always_inline]] inline Block sqrt(const Block& x) { return Block::from(x.lanes.sqrt()); }
+[[gnu::always_inline]] inline Block abs(const Block& x) { return Block::from(x.lanes.abs()); }
+[[gnu::always_inline]] inline Block min(const Block& a, const Block& b) { return Block::from(a.lanes.min(b.lanes)); }
+[[gnu::always_inline]] inline Block max(const Block& a, const Block& b) { return Block::from(a.lanes.max(b.lanes)); }
+[[gnu::always_inline]] inline Block select(const BlockMask& mask, const Block& a, const Block& b) {
+  return Block::from(mask.lanes.select(a.lanes, b.lanes));
+}
+
+/// ln(1 + x) = x ln(u)/(u − 1) with u = 1 + x as rounded: the rounding of u cancels (Kahan). Eigen has no vector form
+/// for doubles.
+inline Block log1p(const Block& x) {
+  const Block u = 1 + x;
+  const Block excess = u - 1;
+  const Block corrected = log(u) * (x / excess);
+  constexpr double large = 1e16;  // 1 is lost here, and infinity must stay itself
+  return select(excess == Block(0.0), x, select(x < Block(large), corrected, log(u)));
+}
+
+/// eˣ − 1 = (u − 1) x/ln(u) with u = eˣ as rounded (Kahan).
+inline Block expm1(const Block& x) {
+  const Block u = exp(x);
+  const Block excess = u - 1;
+  const Block corrected = excess * (x / log(u));
+  constexpr double moderate = 1;
+  return select(excess == Block(0.0), x, select(abs(x) < Block(moderate), corrected, excess));
 }
 
 namespace detail {

@@ -11,8 +11,11 @@ enum class AxisKind {
   interval,       ///< analytic on [0, 1]
   periodic,       ///< analytic and of period 1
   even_periodic,  ///< half a turn: its mirror image continues it to a function of period 2
-  gaussian,       ///< r exp(−r²) times a function that is smooth in r = range·u, also somewhat beyond u = 1
+  gaussian,       ///< r exp(−r²) times a function that is smooth in r = range·u for r up to gaussian_reach
 };
+
+/// The largest r at which a rule evaluates along a gaussian axis.
+inline constexpr double gaussian_reach = 5.8;
 
 /// One axis of a panel.
 struct Axis {

@@ -111,7 +111,4 @@ const std::vector<ModelInfo>& model_infos();
 /// The information of one model. @throws UnknownModel
 const ModelInfo& model_info(std::string_view name);
 
-/// The candidate that a misspelt word most likely meant, or an empty string.
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
-
 }  // namespace albedo

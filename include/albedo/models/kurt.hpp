@@ -41,7 +41,8 @@ struct Kurt {
   }
 
   [[nodiscard]] Claims claims() const {
-    const bool conserves = equation == Equation::eq_9 && k_s + k_d <= 1;
+    constexpr double widest = 1.88;  // the limit of eq. 9 at grazing incidence passes 1 at m = 1.8811
+    const bool conserves = equation == Equation::eq_9 && k_s + k_d <= 1 && std::max(m_x, m_y) <= widest;
     return {
         .conserves_energy = conserves, .bounded = equation == Equation::eq_9 || exponent == 0, .isotropic = m_x == m_y};
   }

@@ -335,13 +335,12 @@ class HalfVectorWarp {
   /// Whether the lobe has ended everywhere on a part before it meets the horizon.
   [[nodiscard]] bool is_unbounded(int part) const {
     if (!std::is_same_v<T, Block> || profile_ == Profile::ggx || stretch_) return false;
-    constexpr double farthest_node = 5.6;  // of the gaussian rule
     Block place;
     for (int i = 0; i < block_width; ++i) place.lanes[i] = static_cast<double>(i) / (block_width - 1);
     if constexpr (std::is_same_v<T, Block>) {
       const Line ray = line(part, place);
       const Block far = ray.horizon_x * ray.inverse_rho;
-      return far.lanes.minCoeff() > farthest_node;
+      return far.lanes.minCoeff() > gaussian_reach;
     }
     return false;
   }

@@ -145,7 +145,7 @@ class MirrorLobeWarp {
     // where the lobe ends by itself, everywhere on the arc: its nearest horizon is at the arc's end
     const double nearest = extent_to_horizon(arc.end);
     const bool divided = from == Edge::equal_cosines || to == Edge::equal_cosines;
-    if (std::is_same_v<T, Block> && axis_.z > 0 && !divided && nearest > 5.6) {
+    if (std::is_same_v<T, Block> && axis_.z > 0 && !divided && nearest > gaussian_reach) {
       radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
     }
     const int order = turn_.order(kind, extent, digits_ + 1, 1.2);

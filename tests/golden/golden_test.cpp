@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "albedo/directional_albedo.hpp"
+
+/// Values that share nothing with the library: closed forms and an independent quadrature. README.md says how they were
+/// made.
+namespace albedo {
+namespace {
+
+using nlohmann::json;
+
+json read(const std::string& file) {
+  std::ifstream stream(std::string(ALBEDO_GOLDEN_DIR) + "/" + file);
+  EXPECT_TRUE(stream) << file;
+  return json::parse(stream);
+}
+
+Parameters parameters_of(const json& entry) {
+  Parameters parameters;
+  for (const auto& [name, value] : entry.at("parameters").items()) {
+    if (value.is_string()) {
+      parameters.emplace_back(name, value.get<std::string>());
+    } else {
+      parameters.emplace_back(name, value.get<double>());
+    }
+  }
+  return parameters;
+}
+
+/// The name of a parameter that the model doesn't have, or an empty string.
+std::string missing_parameter(const json& entry) {
+  const ModelInfo& info = model_info(entry.at("model").get<std::string>());
+  for (const auto& [name, value] : entry.at("parameters").items()) {
+    if (info.resolve(name).empty()) return name;
+  }
+  return {};
+}
+
+std::string describe(const json& entry) {
+  return entry.at("model").get<std::string>() + " " + entry.at("parameters").dump() + " at " +
+         entry.at("theta_deg").dump() + ", phi " + entry.at("phi_deg").dump();
+}
+
+Direction direction_of(const json& entry) {
+  return Direction::from_degrees(entry.at("theta_deg").get<double>(), entry.at("phi_deg").get<double>());
+}
+
+struct File {
+  const char* name;
+  std::size_t entries;
+  int not_yet;  ///< entries whose parameters don't exist yet
+};
+
+class Golden : public ::testing::TestWithParam<File> {
+ protected:
+  /// Calls check(entry, model, direction, exact value) for every entry that can be computed.
+  template <class Check>
+  void for_each_entry(const Check& check) {
+    const json entries = read(GetParam().name);
+    ASSERT_EQ(entries.size(), GetParam().entries);
+    int skipped = 0;
+    for (const json& entry : entries) {
+      const std::string missing = missing_parameter(entry);
+      if (!missing.empty()) {
+        std::printf("  not yet: parameter %s of %s\n", missing.c_str(), describe(entry).c_str());
+        EXPECT_EQ(missing, "normalization");
+        ++skipped;
+        continue;
+      }
+      const auto model = make_model(entry.at("model").get<std::string>(), parameters_of(entry));
+      check(entry, *model, direction_of(entry), std::stod(entry.at("albedo").get<std::string>()));
+    }
+    EXPECT_LE(skipped, GetParam().not_yet);
+  }
+};
+
+/// What the file itself leaves open: its last digit, and the rounding of it to double.
+double uncertainty(const json& entry, double exact) {
+  const double digits = entry.value("digits", 30.0);
+  return std::abs(exact) * (std::pow(10, 1 - digits) + 2e-16);
+}
+
+TEST_P(Golden, GaussIsWithinItsError) {
+  for_each_entry([](const json& entry, const Model& model, const Direction& l, double exact) {
+    for (const double tolerance : {1e-6, 1e-10}) {
+      const Estimate e = directional_albedo(model, l, {.tolerance = tolerance});
+      EXPECT_EQ(e.status, Status::converged) << describe(entry);
+      EXPECT_LE(std::abs(e.value - exact), e.error + uncertainty(entry, exact))
+          << describe(entry) << ": " << e.value - exact << " from " << exact << ", error " << e.error;
+      EXPECT_LE(std::abs(e.value - exact), tolerance * std::abs(exact) + uncertainty(entry, exact)) << describe(entry);
+    }
+  });
+}
+
+TEST_P(Golden, OtherRulesAgree) {
+  for_each_entry([](const json& entry, const Model& model, const Direction& l, double exact) {
+    const Estimate cubature = directional_albedo(model, l, {.rule = Rule::cubature, .tolerance = 1e-6});
+    EXPECT_EQ(cubature.status, Status::converged) << describe(entry);
+    EXPECT_LE(std::abs(cubature.value - exact), cubature.error + uncertainty(entry, exact))
+        << describe(entry) << ": " << cubature.value << " for " << exact << ", error " << cubature.error;
+    const Estimate stratified =
+        directional_albedo(model, l, {.rule = Rule::stratified, .tolerance = 1e-2, .budget = 100'000, .seed = 5});
+    EXPECT_LE(std::abs(stratified.value - exact), 4 * stratified.error + uncertainty(entry, exact))
+        << describe(entry) << ": " << stratified.value << " for " << exact << ", error " << stratified.error;
+  });
+}
+
+TEST_P(Golden, QuadAsksForMore) {
+  const json entries = read(GetParam().name);
+  for (std::size_t i = 0; i < entries.size(); i += 9) {
+    const json& entry = entries[i];
+    if (!missing_parameter(entry).empty() || entry.at("theta_deg").get<double>() >= 89) continue;
+    const auto model = make_model(entry.at("model").get<std::string>(), parameters_of(entry));
+    // angles and parameters are decimal numbers, and doubles are what the library takes: 15 digits can be asked of it
+    const Estimate e =
+        directional_albedo(*model, direction_of(entry), {.precision = Precision::quad, .tolerance = 1e-15});
+    const double exact = std::stod(entry.at("albedo").get<std::string>());
+    EXPECT_EQ(e.status, Status::converged) << describe(entry);
+    const double conditioned = 2e-13 * std::abs(exact);
+    EXPECT_LE(std::abs(e.value - exact), e.error + uncertainty(entry, exact) + conditioned) << describe(entry);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Golden,
+                         ::testing::Values(File{"closed_forms.json", 187, 5}, File{"independent.json", 65, 1}),
+                         [](const auto& instance) {
+                           const std::string file = instance.param.name;
+                           return file.substr(0, file.find('.'));
+                         });
+
+/// The limits at 90° that exist are in closed_forms.json; these don't.
+TEST(Grazing, DivergesWhereThereIsNoLimit) {
+  const std::vector<std::pair<const char*, Parameters>> divergent{
+      {"ward", {}},
+      {"ward", {{"alpha", 1.0}}},
+      {"ward", {{"alpha_x", 0.3}, {"alpha_y", 0.05}}},
+      {"cook_torrance", {{"masking", "none"}}},
+      {"cook_torrance", {{"m", 1.0}, {"masking", "none"}}},
+      {"kurt", {{"exponent", 0.1}}},
+      {"kurt", {{"exponent", 0.5}, {"equation", "11"}}},
+      {"kurt", {{"exponent", 1.5}, {"equation", "13"}}},
+      {"phong_original", {}},
+      {"blinn_original", {}},
+  };
+  for (const auto& [name, parameters] : divergent) {
+    const auto model = make_model(name, parameters);
+    for (const Rule rule : {Rule::gauss, Rule::cubature}) {
+      const Estimate e = directional_albedo(*model, Direction::from_degrees(90), {.rule = rule, .tolerance = 1e-6});
+      EXPECT_EQ(e.status, Status::divergent) << name;
+      EXPECT_EQ(e.value, std::numeric_limits<double>::infinity()) << name;
+      EXPECT_EQ(e.error, std::numeric_limits<double>::infinity()) << name;
+    }
+  }
+}
+
+TEST(Grazing, LimitsAreAmongTheGoldenValues) {
+  std::vector<std::string> models;
+  for (const json& entry : read("closed_forms.json")) {
+    if (entry.at("theta_deg") != 90.0) continue;
+    const std::string model = entry.at("model").get<std::string>();
+    if (std::find(models.begin(), models.end(), model) == models.end()) models.push_back(model);
+    if (!missing_parameter(entry).empty()) continue;
+    const Estimate e = directional_albedo(*make_model(model, parameters_of(entry)), direction_of(entry));
+    const double exact = std::stod(entry.at("albedo").get<std::string>());
+    EXPECT_EQ(e.status, Status::converged) << describe(entry);
+    EXPECT_EQ(e.error_kind, ErrorKind::extrapolated) << describe(entry);
+    EXPECT_LE(std::abs(e.value - exact), e.error) << describe(entry) << ": " << e.value << " for " << exact;
+  }
+  for (const char* model : {"lambert", "phong", "ggx"}) {
+    EXPECT_NE(std::find(models.begin(), models.end(), model), models.end()) << model;
+  }
+}
+
+/// Ward near grazing and as a needle: where samplers and cubatures of the hemisphere fail.
+TEST(Ward, NeedleAndGrazing) {
+  struct Known {
+    double alpha, theta, albedo;
+  };
+  for (const Known& known : {Known{0.1, 0, 0.971051675567},
+                             {0.1, 60, 0.488988056485},
+                             {0.1, 89, 0.10992891264},
+                             {0.1, 89.99, 0.83188124271},
+                             {0.01, 85, 0.08741251569902}}) {
+    const Estimate e = directional_albedo(*make_model("ward", {{"alpha", known.alpha}}),
+                                          Direction::from_degrees(known.theta), {.tolerance = 1e-10});
+    EXPECT_EQ(e.status, Status::converged);
+    EXPECT_NEAR(e.value, known.albedo, 1e-9 * known.albedo) << known.alpha << " at " << known.theta;
+  }
+}
+
+}  // namespace
+}  // namespace albedo
