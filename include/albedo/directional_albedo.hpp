@@ -11,7 +11,8 @@ enum class Rule { gauss, cubature, stratified };
 /// Which map from the unit square the rule works on.
 enum class Warp {
   lobe,        ///< the exact domain of each of the model's lobes
-  hemisphere,  ///< cosθ_V and azimuth
+  hemisphere,  ///< cosθ_V and azimuth; an elongated lobe or one that reaches the horizon never counts as converged
+               ///< there
 };
 
 /// The arithmetic that a model's formula is evaluated in. `quad` sums in 113 bits too with the gauss rule.

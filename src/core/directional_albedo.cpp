@@ -1,5 +1,6 @@
 #include "albedo/directional_albedo.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -56,15 +57,13 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
   const std::unique_ptr<Integrand<double>> integrand =
       options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
                                            : integrand_of<Block>(model, l, options);
-  switch (options.rule) {
-    case Rule::gauss:
-      return rounded(gauss(*integrand, rule));
-    case Rule::cubature:
-      return cubature(*integrand, rule);
-    case Rule::stratified:
-      break;
-  }
-  return stratified(*integrand, rule);
+  Estimate estimate = options.rule == Rule::gauss      ? rounded(gauss(*integrand, rule))
+                      : options.rule == Rule::cubature ? cubature(*integrand, rule)
+                                                       : stratified(*integrand, rule);
+  const auto& panels = integrand->panels();
+  const bool tracked = std::all_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.tracked; });
+  if (!tracked && estimate.status == Status::converged) estimate.status = Status::budget_exhausted;
+  return estimate;
 }
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
@@ -72,7 +71,7 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
 Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions options) {
   constexpr double far = 1e-12, near = 1e-14;
   const double tolerance = options.tolerance;
-  options.tolerance = std::max(tolerance / 2, 1e-30);  // the other half is for the way to the limit
+  options.tolerance = std::max(tolerance / 4, 1e-30);  // two of them, and the way to the limit
   Direction toward = l;
   toward.sin_theta = 1;
   toward.cos_theta = far;

@@ -87,6 +87,7 @@ Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
     result.slope = std::max(slope2, (l3 - l1) / std::log((x3 + 1) / (x1 + 1)) / (x3 + 1));
   }
   result.reading = std::min<S>(result.reading, exp(S(result.log_error(static_cast<double>(n)))));
+  if (bend > 0) result.reading *= 4;  // a power's tail adds up
   return result;
 }
 
@@ -100,6 +101,7 @@ struct Cell {
   Resolution<S> along_u{}, along_v{};
   bool hides_feature = false;
   bool divide_u = false;
+  bool rough = false;  // not smooth enough for readings: bisected since raising the order didn't help, or layered
 
   [[nodiscard]] S error() const { return along_u.error() + along_v.error(); }
 };
@@ -115,6 +117,7 @@ class ProductRule {
       Cell<S> cell{static_cast<int>(i), S(0), S(0), S(1), S(1), panel.u, panel.v};
       cell.u.order = std::clamp(cell.u.order, 4, most_nodes(cell.u.kind));
       cell.v.order = std::clamp(cell.v.order, 4, most_nodes(cell.v.kind));
+      cell.rough = panel.layered;
       measure(cell);
       cells_.push_back(std::move(cell));
     }
@@ -255,17 +258,20 @@ class ProductRule {
   /// reading foretold confirms the readings, and the finer rule is believed to err by a part of it; otherwise the
   /// change itself is the error.
   static void compare(const Cell<S>& old, const S& said, const S& value, Resolution<S>& axis) {
-    constexpr int confirmed = 8, closely = 30;
+    constexpr int confirmed = 4, closely = 30, unconfirmed = 4, slow = 32;
     const S change = value > old.value ? S(value - old.value) : S(old.value - value);
     const S noise = 16 * std::numeric_limits<S>::epsilon() * old.magnitude;
     axis.foreseen = change <= said + noise;
-    const bool confirms = axis.foreseen && said < closely * change;
-    axis.compared = change <= noise ? S(0) : confirms ? S(change / confirmed) : change;
+    const bool confirms = axis.foreseen && axis.decays && axis.curvature < 0 && said < closely * change && !old.rough;
+    axis.compared = change <= noise ? S(0)
+                    : confirms      ? S(change / confirmed)
+                                    : S((old.rough ? slow : unconfirmed) * change);
   }
 
   bool bisect(std::size_t index, bool along_u) {
     constexpr int order = 24;
-    const Cell<S> parent = cells_[index];
+    Cell<S> parent = cells_[index];
+    parent.rough = true;
     Cell<S> half = parent;
     Axis& axis = along_u ? half.u : half.v;
     axis = {AxisKind::interval, order};
@@ -281,8 +287,6 @@ class ProductRule {
     const S said = along_u ? parent.along_u.reading : parent.along_v.reading;
     for (Cell<S>* child : {&half, &other}) {
       compare(parent, said, half.value + other.value, along_u ? child->along_u : child->along_v);
-      child->along_u.compared /= 2;
-      child->along_v.compared /= 2;
     }
     cells_[index] = half;
     cells_.push_back(other);

@@ -81,19 +81,23 @@ class Golden : public ::testing::TestWithParam<File> {
   }
 };
 
-/// What the file itself leaves open: its last digit, and the rounding of it to double.
+/// What the file itself leaves open: its last digit, its rounding to double, and that of the angle, which is a decimal
+/// there (89.9 as a double is up to 7e-15 off, and cosθ 90/(90 − θ) times as much).
 double uncertainty(const json& entry, double exact) {
-  const double digits = entry.value("digits", 30.0);
-  return std::abs(exact) * (std::pow(10, 1 - digits) + 2e-16);
+  const double digits = entry.value("digits", 30.0), theta = entry["theta_deg"];
+  const double rounding = theta < 90 ? 2e-16 * std::max(1.0, 90 / (90 - theta)) : 2e-16;
+  return std::abs(exact) * (std::pow(10, 1 - digits) + rounding);
 }
 
 TEST_P(Golden, GaussIsWithinItsError) {
   for_each_entry([](const json& entry, const Model& model, const Direction& l, double exact) {
     for (const double tolerance : {1e-6, 1e-10}) {
       const Estimate e = directional_albedo(model, l, {.tolerance = tolerance});
-      EXPECT_EQ(e.status, Status::converged) << describe(entry);
+      // the limit at 90° is approached only so far: its error may say that it isn't known to the tolerance
+      EXPECT_TRUE(e.status == Status::converged || l.cos_theta == 0) << describe(entry);
       EXPECT_LE(std::abs(e.value - exact), e.error + uncertainty(entry, exact))
           << describe(entry) << ": " << e.value - exact << " from " << exact << ", error " << e.error;
+      if (e.status != Status::converged) continue;
       EXPECT_LE(std::abs(e.value - exact), tolerance * std::abs(exact) + uncertainty(entry, exact)) << describe(entry);
     }
   });

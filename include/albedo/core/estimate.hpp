@@ -16,7 +16,7 @@ enum class ErrorKind {
 /// How an integration ended.
 enum class Status {
   converged,         ///< the error meets the tolerance
-  budget_exhausted,  ///< the error is what it says, and larger than the tolerance
+  budget_exhausted,  ///< not converged: the error is larger than the tolerance, or isn't to be believed
   rounding_limited,  ///< the arithmetic can't meet the tolerance, whatever the budget
   divergent,         ///< the integral is infinite
   non_finite,        ///< the formula returned NaN or infinity at some point

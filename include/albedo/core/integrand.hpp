@@ -35,6 +35,8 @@ struct Feature {
 struct Panel {
   Axis u, v;
   std::vector<Feature> features{};
+  bool tracked = true;   ///< false: large somewhere that isn't announced; no result is to be believed
+  bool layered = false;  ///< has narrow layers of small amplitude: a rule's own reading of its error misses them
 };
 
 /// Whether a rectangle of a panel holds a feature that is narrower than the rectangle; then also along which axis to

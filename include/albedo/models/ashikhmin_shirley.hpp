@@ -63,8 +63,13 @@ struct AshikhminShirley {
   /// Eq. 13 (its constant: eq. 14).
   template <class T>
   T diffuse(const DirectionPair<T>& d) const noexcept {
-    return T(28 * r_d * (1 - r_s)) / (23 * pi<T>)*(1 - fifth_power(T(1 - d.cos_theta_l / 2))) *
-           (1 - fifth_power(T(1 - d.cos_theta_v / 2)));
+    return T(28 * r_d * (1 - r_s)) / (23 * pi<T>)*rise(T(d.cos_theta_l / 2)) * rise(T(d.cos_theta_v / 2));
+  }
+
+  /// 1 − (1 − x)⁵, multiplied out: no cancellation at grazing incidence.
+  template <class T>
+  static T rise(const T& x) noexcept {
+    return x * (5 + x * (-10 + x * (10 + x * (-5 + x))));
   }
 };
 

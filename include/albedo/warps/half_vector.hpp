@@ -235,6 +235,8 @@ class HalfVectorWarp {
       split_cavity(tangent);
     } else if (lobe.kink_equal_cosines && tangent > 0) {
       split_equal_cosines();
+    } else if (symmetric_ && offset_sin_ != 0 && tangent > 0) {
+      add({S(-1), S(1)}, whole_ray);  // the form's larger axis is across the plane of incidence, a quarter turn off
     } else {
       add_whole({S(0), S(2)}, whole_ray);
     }
@@ -329,6 +331,7 @@ class HalfVectorWarp {
         radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
       }
       panels_.push_back({radial, {kind, azimuth_order(kind, extent, edges.size() > 2)}, {}});
+      panels_.back().layered = horizon_layer_ && alpha_x_ != alpha_y_;
     }
   }
 
@@ -351,7 +354,7 @@ class HalfVectorWarp {
     if (l_.z == 1 && alpha_x_ == alpha_y_) return 4;
     // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
     // facets' planes
-    if (horizon_layer_ && !symmetric_) order *= 3;
+    if (horizon_layer_ && alpha_x_ != alpha_y_) order *= 3;
     if (profile_ == Profile::ggx && widest_ >= 1) order += order / 2;
     return std::min(edged ? std::max(order, 3 + static_cast<int>(digits_)) : order, 128);
   }
@@ -362,6 +365,7 @@ class HalfVectorWarp {
     if (profile_ == Profile::ggx) {  // the tail's length, in decades
       const double narrowest = static_cast<double>(min(alpha_x_, alpha_y_));
       nodes = 8 + 3.8 * std::asinh(1 / narrowest) - 1.5 * std::log(static_cast<double>(l_.z)) + (widest_ > 1 ? 12 : 0);
+      if (alpha_x_ != alpha_y_) nodes *= 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
       nodes = ends.right == 3 || ends.left > 1 ? 27 : 21;
     }

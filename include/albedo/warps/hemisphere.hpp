@@ -40,10 +40,20 @@ class HemisphereWarp {
       if (symmetric_) break;
     }
     const double sine = static_cast<double>(planar), cosine = static_cast<double>(axis_.z);
+    // A lobe that reaches the horizon, or is elongated, isn't tracked: then nothing is believed.
+    const double narrow = std::min(lobe.width_x, lobe.width_y), wide = std::max(lobe.width_x, lobe.width_y);
+    const bool grazing = cosine < 0.03 || (cosine < 0.2 && cosine < 4 * wide);
+    if (grazing || wide > 4 * narrow) {
+      for (Panel& panel : panels_) panel.tracked = false;
+      return;
+    }
     if (lobe.shape == LobeShape::mirror) {
-      announce(sine, cosine, lobe.width_x, lobe.width_y);
+      for (int ring = -3; ring <= 3; ++ring) {
+        const double theta = std::atan2(sine, cosine) + ring * wide;
+        announce(std::sin(theta), std::max(std::cos(theta), 0.0), narrow, narrow);
+      }
     } else {
-      announce_ridge(lobe, static_cast<double>(l_planar), static_cast<double>(l_.z));
+      announce_ridge(wide, narrow, static_cast<double>(l_planar), static_cast<double>(l_.z));
     }
   }
 
@@ -88,29 +98,33 @@ class HemisphereWarp {
   /// A lobe of half vectors isn't round in V: it is the image of a Gaussian of slopes, narrow in azimuth near the
   /// horizon. Announces it at half vectors in the plane of incidence, out to three widths or to the horizon, and closer
   /// together there.
-  void announce_ridge(const Lobe& lobe, double sin_l, double cos_l) {
+  void announce_ridge(double wide, double width, double sin_l, double cos_l) {
     constexpr int steps = 24;
     const double rim = -cos_l / (1 + sin_l);  // slope of the half vector whose V is at the horizon
-    const double begin = std::max(rim, -3 * lobe.width_x), end = 3 * lobe.width_x;
+    const double begin = std::max(rim, -3 * wide), end = 3 * wide;
     for (int step = 0; step <= steps; ++step) {
       const double share = static_cast<double>(step) / steps;
       const double slope = begin + (end - begin) * (begin == rim ? share * share * share : share);
       const double cos_h = 1 / std::sqrt(1 + slope * slope);
       const double cos_d = cos_h * (cos_l + sin_l * slope);
       const double cos_v = std::max(2 * cos_d * cos_h - cos_l, 0.0), planar = sin_l - 2 * cos_d * cos_h * slope;
-      announce(planar, cos_v, 2 * lobe.width_x * cos_h * cos_h, 2 * lobe.width_y * cos_d * cos_h);
+      announce(planar, cos_v, width * cos_h * cos_h, width * cos_d * cos_h);
     }
   }
 
   /// A feature at polar angle (sine, cosine; sine < 0: on the other side of the zenith) of the given angular widths.
   void announce(double sine, double cosine, double along, double across) {
-    const double width_mu = along * (std::abs(sine) + along);
-    const double width_turn = across / (pi<double> * std::max(std::abs(sine), across));
+    const double width_mu = along * (std::abs(sine) + along) / 2;
+    const double width_turn = across / (2 * pi<double> * std::max({std::abs(sine), across, 1e-300}));
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const double mu0 = static_cast<double>(parts_[i].mu0), mu1 = static_cast<double>(parts_[i].mu1);
       if (cosine < mu0 || cosine > mu1) continue;
-      panels_[i].features.push_back(
-          {(cosine - mu0) / (mu1 - mu0), sine < 0 ? 1.0 : 0.0, width_mu / (mu1 - mu0), width_turn});
+      for (int step = 0; step <= 6; ++step) {  // to three widths aside, or around the zenith
+        const double aside = step * width_turn;
+        if (aside > 1) break;
+        panels_[i].features.push_back(
+            {(cosine - mu0) / (mu1 - mu0), sine < 0 ? 1 - aside : aside, width_mu / (mu1 - mu0), width_turn});
+      }
     }
   }
 

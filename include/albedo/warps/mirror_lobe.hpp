@@ -80,7 +80,7 @@ class MirrorLobeWarp {
     const T x = rho_ * r;
     const T x2 = square(x);
     const T axis_gap = -expm1(-x2);
-    const T cosine = 1 - axis_gap;
+    const T cosine = exp(-x2);
     const T sine = sqrt(-expm1(T(-2 * x2)));
     const T plain = axis_.z * cosine + ray.height * sine;
     // towards the horizon, cos²α − cos²α_h (and with it cosθ_V) from the distance to the end of the ray
