@@ -15,7 +15,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/albedoConfigVersion.cmak
 install(FILES "${PROJECT_BINARY_DIR}/albedoConfig.cmake" "${PROJECT_BINARY_DIR}/albedoConfigVersion.cmake"
         DESTINATION "${package_dir}")
 
-if(TARGET albedo_program AND TARGET albedo_figures)
+if(ALBEDO_PROGRAMS)
   # A program of a shared build finds its library beside it, wherever the whole is moved.
   file(RELATIVE_PATH bin_to_lib "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
   set_target_properties(albedo_program albedo_figures PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
