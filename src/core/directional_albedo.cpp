@@ -49,21 +49,28 @@ Estimate rounded(const EstimateIn<S>& estimate) {
           estimate.evaluations, estimate.status};
 }
 
+/// Nothing counts as converged where a lobe isn't tracked.
+template <class S>
+Estimate believed(Estimate estimate, const Integrand<S>& integrand) {
+  const auto& panels = integrand.panels();
+  const bool tracked = std::all_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.tracked; });
+  if (!tracked && estimate.status == Status::converged) estimate.status = Status::budget_exhausted;
+  return estimate;
+}
+
 Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& options) {
   const RuleOptions rule{options.tolerance, options.budget, options.seed};
   if (options.precision == Precision::quad && options.rule == Rule::gauss) {
-    return rounded(gauss(*integrand_of<Quad>(model, l, options), rule));
+    const std::unique_ptr<Integrand<Quad>> exact = integrand_of<Quad>(model, l, options);
+    return believed(rounded(gauss(*exact, rule)), *exact);
   }
   const std::unique_ptr<Integrand<double>> integrand =
       options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
                                            : integrand_of<Block>(model, l, options);
-  Estimate estimate = options.rule == Rule::gauss      ? rounded(gauss(*integrand, rule))
-                      : options.rule == Rule::cubature ? cubature(*integrand, rule)
-                                                       : stratified(*integrand, rule);
-  const auto& panels = integrand->panels();
-  const bool tracked = std::all_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.tracked; });
-  if (!tracked && estimate.status == Status::converged) estimate.status = Status::budget_exhausted;
-  return estimate;
+  const Estimate estimate = options.rule == Rule::gauss      ? rounded(gauss(*integrand, rule))
+                            : options.rule == Rule::cubature ? cubature(*integrand, rule)
+                                                             : stratified(*integrand, rule);
+  return believed(estimate, *integrand);
 }
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a

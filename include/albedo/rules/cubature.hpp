@@ -11,7 +11,8 @@ namespace albedo {
 ///
 /// The box with the largest error is halved along the axis of the largest fourth difference [Genz & Malik 1980], until
 /// the errors sum up to the tolerance. A box that holds a panel's feature isn't believed before it is as small as the
-/// feature, and where halving a box changed its value by more than its error said, the halves' errors grow as much.
+/// feature, and what halving a box changed stays in the halves' errors: a part of it where the box's error had foreseen
+/// it, all of it where it hadn't.
 /// Values and errors are summed anew at the end.
 Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options);
 
