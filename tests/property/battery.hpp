@@ -32,6 +32,15 @@ inline const std::vector<Case>& cases() {
       {"lambert", {}},
       {"lambert", {{"rho", 0.18}}},
 
+      {"oren_nayar", {}},
+      {"oren_nayar", {{"sigma", 0.2}, {"rho", 0.9}}, 35},
+      {"oren_nayar", {{"sigma", 1.0}}},
+      {"oren_nayar", {{"sigma", 0.0}}},  // Lambert
+
+      {"shirley_matte", {}},
+      {"shirley_matte", {{"r0", 0.0}, {"r_m", 0.5}}},
+      {"shirley_matte", {{"r0", 0.9}}},
+
       {"phong", {{"n", 0.0}}},
       {"phong", {{"n", 1.0}}},
       {"phong", {{"n", 2.5}}},

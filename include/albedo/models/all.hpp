@@ -9,8 +9,10 @@
 #include "albedo/models/lafortune.hpp"
 #include "albedo/models/lambert.hpp"
 #include "albedo/models/neumann_phong.hpp"
+#include "albedo/models/oren_nayar.hpp"
 #include "albedo/models/phong.hpp"
 #include "albedo/models/phong_original.hpp"
+#include "albedo/models/shirley_matte.hpp"
 #include "albedo/models/ward.hpp"
 
 namespace albedo {
@@ -19,7 +21,7 @@ template <class... Models>
 struct ModelList {};
 
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
-using AllModels = ModelList<Lambert, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune, NeumannPhong, Ward,
-                            CookTorrance, AshikhminShirley, Kurt, Ggx>;
+using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
+                            NeumannPhong, Ward, CookTorrance, AshikhminShirley, Kurt, Ggx>;
 
 }  // namespace albedo

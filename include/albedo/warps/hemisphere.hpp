@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <utility>
 
 #include "albedo/warps/sample.hpp"
 #include "albedo/warps/turn.hpp"
@@ -11,6 +12,9 @@ namespace albedo {
 
 /// All directions V by their cosine μ = cosθ_V and their azimuth. Diffuse lobes are polynomials in μ; for any other
 /// lobe the hemisphere is divided at its axis, and the axis is announced as a feature.
+///
+/// A diffuse lobe with a kink at equal cosines (Oren–Nayar) is divided there and at a quarter turn from L, and has
+/// e = 1 − √(1 − μ) for μ: sinθ_V = (1 − e) √(1 + μ) is smooth in e, and small cosines keep their digits.
 template <class T>
 class HemisphereWarp {
   using S = Scalar<T>;
@@ -29,7 +33,11 @@ class HemisphereWarp {
     }
     const double digits = -std::log10(tolerance);
     if (lobe.shape == LobeShape::cosine) {
-      add({S(0), S(1), S(0), S(1)}, {8, 4});
+      if (lobe.kink_equal_cosines && l_planar > 0) {
+        split_at_kinks(digits);
+      } else {
+        add({S(0), S(1), S(0), S(1)}, {8, 4});
+      }
       return;
     }
     const S split = axis_.z > 0 ? S(axis_.z) : S(0);
@@ -75,7 +83,14 @@ class HemisphereWarp {
 
   [[nodiscard]] Sample<T> point(int panel, const Line& ray, const T& u) const {
     const Part& part = parts_[static_cast<std::size_t>(panel)];
-    const T mu = part.mu0 + (part.mu1 - part.mu0) * u;
+    const T place = part.mu0 + (part.mu1 - part.mu0) * u;
+    if (part.rooted) {
+      const T mu = place * (2 - place);
+      const T s = (1 - place) * sqrt(T(1 + mu));
+      const UnitVector<T> v{s * ray.cosine, s * ray.sine, mu};
+      return {direction_pair(broadcast<T>(l_), v, broadcast<T>(axis_)), part.weight * 2 * (1 - place) * mu};
+    }
+    const T mu = place;
     const T s = sqrt(T((1 - part.mu0) - (part.mu1 - part.mu0) * u) * (1 + mu));
     const UnitVector<T> v{s * ray.cosine, s * ray.sine, mu};
     return {direction_pair(broadcast<T>(l_), v, broadcast<T>(axis_)), T(part.weight) * mu};
@@ -84,13 +99,23 @@ class HemisphereWarp {
  private:
   struct Part {
     S mu0, mu1, turn0, turn1;  // turns in units of π, from the lobe's azimuth
+    bool rooted = false;       // mu0 and mu1 are e = 1 − √(1 − μ)
     S weight = 0;
   };
+
+  void split_at_kinks(double digits) {
+    const int order = 3 + static_cast<int>(digits);
+    const S kink = l_.z / (1 + sqrt(S(1 - l_.z)));
+    for (const auto& [from, to] : {std::pair{S(0), kink}, std::pair{kink, S(1)}}) {
+      add({from, to, S(0), S(0.5), true}, {order, order});
+      add({from, to, S(0.5), S(1), true}, {order, order});
+    }
+  }
 
   void add(Part part, const std::array<int, 2>& orders) {
     using std::abs;
     part.weight = (part.mu1 - part.mu0) * abs(part.turn1 - part.turn0) * pi<T> * (symmetric_ ? 2 : 1);
-    const AxisKind kind = symmetric_ ? AxisKind::even_periodic : AxisKind::interval;
+    const AxisKind kind = symmetric_ && !part.rooted ? AxisKind::even_periodic : AxisKind::interval;
     parts_.push_back(part);
     panels_.push_back({{AxisKind::interval, orders[0]}, {kind, orders[1]}});
   }
