@@ -86,6 +86,20 @@ inline const std::vector<Case>& cases() {
       {"ward", {{"alpha_x", 0.5}, {"alpha_y", 0.005}}, 0},
       {"ward", {{"alpha_x", 0.5}, {"alpha_y", 0.005}}, 70},
 
+      {"ward_duer", {}},
+      {"ward_duer", {{"alpha", 1.0}}},
+      {"ward_duer", {{"alpha", 0.15}, {"rho_s", 0.6}, {"rho_d", 0.3}}},
+      {"ward_duer", {{"alpha", 1e-4}}, 0, needle},
+      {"ward_duer", {{"alpha_x", 0.3}, {"alpha_y", 0.05}}, 30},
+
+      {"ward_bounded", {}},
+      {"ward_bounded", {{"alpha", 0.01}}},
+      {"ward_bounded", {{"alpha", 1.0}}},
+      {"ward_bounded", {{"alpha", 10.0}}},
+      {"ward_bounded", {{"alpha", 0.2}, {"rho_s", 0.8}, {"rho_d", 0.4}}},  // above 1
+      {"ward_bounded", {{"alpha", 1e-4}}, 0, needle},
+      {"ward_bounded", {{"alpha_x", 0.3}, {"alpha_y", 0.05}}, 30},
+
       {"cook_torrance", {}},
       {"cook_torrance", {{"m", 0.3}}},
       {"cook_torrance", {{"m", 1.0}}},

@@ -14,6 +14,8 @@
 #include "albedo/models/phong_original.hpp"
 #include "albedo/models/shirley_matte.hpp"
 #include "albedo/models/ward.hpp"
+#include "albedo/models/ward_bounded.hpp"
+#include "albedo/models/ward_duer.hpp"
 
 namespace albedo {
 
@@ -22,6 +24,6 @@ struct ModelList {};
 
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
 using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
-                            NeumannPhong, Ward, CookTorrance, AshikhminShirley, Kurt, Ggx>;
+                            NeumannPhong, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, Kurt, Ggx>;
 
 }  // namespace albedo
