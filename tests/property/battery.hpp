@@ -74,6 +74,13 @@ inline const std::vector<Case>& cases() {
       {"neumann_phong", {{"n", 1000.0}}},
       {"neumann_phong", {{"n", 1e6}}, 0, needle},
 
+      {"neumann_stretched", {{"n", 0.0}, {"q", 0.9}}},
+      {"neumann_stretched", {{"n", 1.0}, {"q", 0.95}}},
+      {"neumann_stretched", {}},
+      {"neumann_stretched", {{"q", 0.0}}},
+      {"neumann_stretched", {{"q", 1.0}}},
+      {"neumann_stretched", {{"n", 1e6}, {"q", 0.3}}, 0, needle},
+
       {"ward", {}},
       {"ward", {{"alpha", 0.01}}},
       {"ward", {{"alpha", 0.3}}},

@@ -9,6 +9,7 @@
 #include "albedo/models/lafortune.hpp"
 #include "albedo/models/lambert.hpp"
 #include "albedo/models/neumann_phong.hpp"
+#include "albedo/models/neumann_stretched.hpp"
 #include "albedo/models/oren_nayar.hpp"
 #include "albedo/models/phong.hpp"
 #include "albedo/models/phong_original.hpp"
@@ -23,7 +24,8 @@ template <class... Models>
 struct ModelList {};
 
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
-using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
-                            NeumannPhong, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, Kurt, Ggx>;
+using AllModels =
+    ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune, NeumannPhong,
+              NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, Kurt, Ggx>;
 
 }  // namespace albedo
