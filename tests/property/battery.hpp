@@ -125,6 +125,10 @@ inline const std::vector<Case>& cases() {
       {"ashikhmin_shirley", {{"n", 50.0}, {"r_s", 0.05}, {"r_d", 1.0}}},  // both lobes
       {"ashikhmin_shirley", {{"r_s", 0.05}, {"r_d", 1.0}, {"k_s", 0.0}}},
 
+      {"ashikhmin_shirley", {{"n", 0.0}, {"normalization", "projected"}}},
+      {"ashikhmin_shirley", {{"n", 10.0}, {"normalization", "projected"}}},
+      {"ashikhmin_shirley", {{"n_u", 1.0}, {"n_v", 100.0}, {"normalization", "projected"}}, 65},
+
       {"kurt", {}},
       {"kurt", {{"m", 0.2}, {"equation", "9"}}},
       {"kurt", {{"m", 1.0}, {"equation", "9"}}},
