@@ -13,8 +13,9 @@
 /// here; Battery.HasEveryModel fails until there is one.
 namespace albedo::battery {
 
-/// A needle is a lobe of roughness 1e-4 or of exponent 1e6.
-enum class Shape { ordinary, needle };
+/// A needle is a lobe of roughness 1e-4 or of exponent 1e6. Costly is what has edges that no warp knows of: the rim of
+/// Edwards's lump, the cone of Beckmann's Λ at V = N where the lobe is wide.
+enum class Shape { ordinary, needle, costly };
 
 struct Case {
   std::string model;
@@ -27,7 +28,7 @@ struct Case {
 inline const std::vector<double> thetas{0, 30, 60, 80, 89, 89.9};
 
 inline const std::vector<Case>& cases() {
-  constexpr Shape needle = Shape::needle;
+  constexpr Shape needle = Shape::needle, costly = Shape::costly;
   static const std::vector<Case> all{
       {"lambert", {}},
       {"lambert", {{"rho", 0.18}}},
@@ -141,6 +142,17 @@ inline const std::vector<Case>& cases() {
       {"kurt", {{"m", 0.2}, {"exponent", 1.5}}},
       {"kurt", {{"m", 0.3}, {"equation", "11"}, {"exponent", 0.3}, {"k_s", 0.6}, {"k_d", 0.3}}},
       {"kurt", {{"m", 0.3}, {"equation", "13"}, {"f0", 0.2}, {"k_d", 0.5}, {"exponent", 0.2}}},
+
+      {"beckmann", {}},
+      {"beckmann", {{"alpha", 0.05}}},
+      {"beckmann", {{"alpha", 1.0}}, 0, costly},
+      {"beckmann", {{"alpha", 5.0}}, 0, costly},
+      {"beckmann", {{"alpha", 1e-4}}, 0, needle},
+      {"beckmann", {{"alpha", 0.01}, {"masking", "separable"}}},
+      {"beckmann", {{"alpha", 0.5}, {"masking", "separable"}}, 0, costly},
+      {"beckmann", {{"alpha", 0.2}, {"fresnel", "conductor"}, {"eta", 1.5}, {"k", 7.0}}},
+      {"beckmann", {{"alpha_x", 0.5}, {"alpha_y", 0.1}}, 40},
+      {"beckmann", {{"alpha_x", 0.05}, {"alpha_y", 0.3}, {"f0", 0.04}}, 70},
 
       {"ggx", {}},
       {"ggx", {{"alpha", 0.1}}},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "albedo/models/ashikhmin_shirley.hpp"
+#include "albedo/models/beckmann.hpp"
 #include "albedo/models/blinn.hpp"
 #include "albedo/models/blinn_original.hpp"
 #include "albedo/models/cook_torrance.hpp"
@@ -26,6 +27,6 @@ struct ModelList {};
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
 using AllModels =
     ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune, NeumannPhong,
-              NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, Kurt, Ggx>;
+              NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, Kurt, Beckmann, Ggx>;
 
 }  // namespace albedo

@@ -44,6 +44,10 @@ class HalfVectorWarp {
     stretch_ = profile_ == Profile::ggx || (profile_ == Profile::gaussian && widest_ * cut_ > 2);
     horizon_exponent_ = lobe.horizon_exponent;
     horizon_layer_ = lobe.horizon_layer && std::min(lobe.width_x, lobe.width_y) < 0.3;
+    // Smith's Λ has a cone at V = N, rounded over an angle of 1/α: a point inside the domain of wide lobes
+    const double widest = std::max(lobe.width_x, lobe.width_y);
+    const bool cone = lobe.horizon_layer && widest >= (profile_ == Profile::ggx ? 1.5 : 0.3);
+    rough_ = cone || (horizon_layer_ && alpha_x_ != alpha_y_);
     digits_ = -std::log10(tolerance);
     split(lobe);
   }
@@ -331,7 +335,7 @@ class HalfVectorWarp {
         radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
       }
       panels_.push_back({radial, {kind, azimuth_order(kind, extent, edges.size() > 2)}, {}});
-      panels_.back().layered = horizon_layer_ && alpha_x_ != alpha_y_;
+      panels_.back().layered = rough_;
     }
   }
 
@@ -384,6 +388,7 @@ class HalfVectorWarp {
   double truncation_ = 0;
   double horizon_exponent_ = 1;
   bool horizon_layer_ = false;
+  bool rough_ = false;
   double digits_ = 8;
   std::vector<Part> parts_;
   std::vector<Panel> panels_;
