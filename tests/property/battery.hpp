@@ -130,6 +130,13 @@ inline const std::vector<Case>& cases() {
       {"ashikhmin_shirley", {{"n", 10.0}, {"normalization", "projected"}}},
       {"ashikhmin_shirley", {{"n_u", 1.0}, {"n_v", 100.0}, {"normalization", "projected"}}, 65},
 
+      {"ashikhmin_premoze", {{"m", 0.1}}},
+      {"ashikhmin_premoze", {{"fresnel", "conductor"}, {"eta", 1.5}, {"k", 7.0}}},
+      {"ashikhmin_premoze", {{"m", 1.0}, {"f0", 0.04}}},
+      {"ashikhmin_premoze", {{"m", 3.5}}},
+      {"ashikhmin_premoze", {{"m", 4.0}}},  // above 1 at grazing incidence
+      {"ashikhmin_premoze", {{"m", 1e-4}}, 0, needle},
+
       {"kurt", {}},
       {"kurt", {{"m", 0.2}, {"equation", "9"}}},
       {"kurt", {{"m", 1.0}, {"equation", "9"}}},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "albedo/models/ashikhmin_premoze.hpp"
 #include "albedo/models/ashikhmin_shirley.hpp"
 #include "albedo/models/beckmann.hpp"
 #include "albedo/models/blinn.hpp"
@@ -25,8 +26,8 @@ template <class... Models>
 struct ModelList {};
 
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
-using AllModels =
-    ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune, NeumannPhong,
-              NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, Kurt, Beckmann, Ggx>;
+using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
+                            NeumannPhong, NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley,
+                            AshikhminPremoze, Kurt, Beckmann, Ggx>;
 
 }  // namespace albedo
