@@ -161,6 +161,15 @@ inline const std::vector<Case>& cases() {
       {"beckmann", {{"alpha_x", 0.5}, {"alpha_y", 0.1}}, 40},
       {"beckmann", {{"alpha_x", 0.05}, {"alpha_y", 0.3}, {"f0", 0.04}}, 70},
 
+      {"microfacet_generator", {}},
+      {"microfacet_generator", {{"distribution", "beckmann"}}},
+      {"microfacet_generator", {{"alpha", 0.05}, {"f0", 0.04}}},
+      {"microfacet_generator", {{"alpha", 1.0}}},
+      {"microfacet_generator", {{"distribution", "power"}}},
+      {"microfacet_generator", {{"alpha", 0.01}, {"distribution", "power"}}},
+      {"microfacet_generator", {{"alpha", 1.0}, {"distribution", "power"}}},
+      {"microfacet_generator", {{"alpha", 0.2}, {"fresnel", "conductor"}, {"eta", 1.5}, {"k", 7.0}}},
+
       {"ggx", {}},
       {"ggx", {{"alpha", 0.1}}},
       {"ggx", {{"alpha", 1.0}}},

@@ -10,6 +10,7 @@
 #include "albedo/models/kurt.hpp"
 #include "albedo/models/lafortune.hpp"
 #include "albedo/models/lambert.hpp"
+#include "albedo/models/microfacet_generator.hpp"
 #include "albedo/models/neumann_phong.hpp"
 #include "albedo/models/neumann_stretched.hpp"
 #include "albedo/models/oren_nayar.hpp"
@@ -28,6 +29,6 @@ struct ModelList {};
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
 using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
                             NeumannPhong, NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley,
-                            AshikhminPremoze, Kurt, Beckmann, Ggx>;
+                            AshikhminPremoze, Kurt, Beckmann, Ggx, MicrofacetGenerator>;
 
 }  // namespace albedo
