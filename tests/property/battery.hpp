@@ -137,6 +137,14 @@ inline const std::vector<Case>& cases() {
       {"ashikhmin_premoze", {{"m", 4.0}}},  // above 1 at grazing incidence
       {"ashikhmin_premoze", {{"m", 1e-4}}, 0, needle},
 
+      {"schlick", {{"r", 1.0}}},
+      {"schlick", {{"r", 0.25}, {"f0", 0.2}}},
+      {"schlick", {}},
+      {"schlick", {{"r", 0.01}}},
+      {"schlick", {{"r", 1e-5}}},  // the limit at 90 degrees sets in where N·L is below r
+      {"schlick", {{"r", 0.25}, {"p", 0.3}}, 90},
+      {"schlick", {{"r", 0.05}, {"p", 0.1}}, 30},
+
       {"kurt", {}},
       {"kurt", {{"m", 0.2}, {"equation", "9"}}},
       {"kurt", {{"m", 1.0}, {"equation", "9"}}},

@@ -16,6 +16,7 @@
 #include "albedo/models/oren_nayar.hpp"
 #include "albedo/models/phong.hpp"
 #include "albedo/models/phong_original.hpp"
+#include "albedo/models/schlick.hpp"
 #include "albedo/models/shirley_matte.hpp"
 #include "albedo/models/ward.hpp"
 #include "albedo/models/ward_bounded.hpp"
@@ -29,6 +30,6 @@ struct ModelList {};
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
 using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
                             NeumannPhong, NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley,
-                            AshikhminPremoze, Kurt, Beckmann, Ggx, MicrofacetGenerator>;
+                            AshikhminPremoze, Schlick, Kurt, Beckmann, Ggx, MicrofacetGenerator>;
 
 }  // namespace albedo
