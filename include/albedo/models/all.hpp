@@ -6,6 +6,7 @@
 #include "albedo/models/blinn.hpp"
 #include "albedo/models/blinn_original.hpp"
 #include "albedo/models/cook_torrance.hpp"
+#include "albedo/models/edwards.hpp"
 #include "albedo/models/ggx.hpp"
 #include "albedo/models/kurt.hpp"
 #include "albedo/models/lafortune.hpp"
@@ -30,6 +31,6 @@ struct ModelList {};
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
 using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
                             NeumannPhong, NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley,
-                            AshikhminPremoze, Schlick, Kurt, Beckmann, Ggx, MicrofacetGenerator>;
+                            AshikhminPremoze, Schlick, Edwards, Kurt, Beckmann, Ggx, MicrofacetGenerator>;
 
 }  // namespace albedo
