@@ -2,6 +2,7 @@
 
 #include <array>
 #include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
 #include "albedo/core/number.hpp"
@@ -33,9 +34,9 @@ class PowerArea {
     }
   }
 
-  /// A of the direction (x, y, z).
+  /// A of a direction whose N·K is z.
   template <class T>
-  T operator()(const T& x, const T& y, const T& z) const noexcept {
+  T operator()(const T& z) const noexcept {
     const T t = (T(1 + 2 * scale_) * z - T(scale_)) / (z + T(scale_));
     T next(0.0), current(0.0);  // Clenshaw
     for (std::size_t k = terms - 1; k > 0; --k) {
@@ -44,7 +45,7 @@ class PowerArea {
       current = previous;
     }
     const T b = T(series_[0]) + t * current - next;
-    return z + exp(T(n_ / 2 + 1) * log(T(square(x) + square(y)))) * b;
+    return z + exp(T(n_ / 2 + 1) * log1p(T(-min(T(square(z)), T(1.0))))) * b;
   }
 
  private:
@@ -55,12 +56,13 @@ class PowerArea {
     const auto integrand = [&](double v, double to_end) {  // to_end: 1 − v near 1, −v near 0
       const double w2 = v > 0.5 ? to_end * (1 + v) : (1 - v) * (1 + v);
       const double q = std::sqrt(v * v + c * c * w2);
-      return std::exp((n_ - 1) / 2 * std::log(w2)) * v * v * v / (q * (q + c * std::sqrt(w2)));
+      return std::exp((n_ - 1) / 2 * (v > 0.5 ? std::log(w2) : std::log1p(-v * v))) * v * v * v /
+             (q * (q + c * std::sqrt(w2)));
     };
-    const double log_constant = std::lgamma((n_ + 1) / 2) - std::lgamma(n_ / 2 + 1);
+    const double ratio = boost::math::tgamma_delta_ratio((n_ + 1) / 2, 0.5);  // Γ((n+1)/2)/Γ(n/2+1)
     boost::math::quadrature::tanh_sinh<double> rule;
-    return (n_ + 1) / (2 * std::sqrt(boost::math::constants::pi<double>())) * std::exp(log_constant) *
-           rule.integrate(integrand, 0.0, 1.0);
+    return (n_ + 1) / (2 * std::sqrt(boost::math::constants::pi<double>())) * ratio *
+           rule.integrate(integrand, 0.0, 1.0, 1e-12);
   }
 
   double n_, scale_;

@@ -87,7 +87,7 @@ struct MicrofacetGenerator {
       case Distribution::power:
         break;
     }
-    return (*power_area)(x, y, z);
+    return (*power_area)(z);
   }
 };
 
