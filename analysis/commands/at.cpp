@@ -29,7 +29,12 @@ struct Result {
   double theta;
   Estimate estimate;
   double seconds;
+  double coherent;  ///< the part of the albedo that is a delta in the mirror direction
 };
+
+bool any_coherent(const std::vector<Result>& results) {
+  return std::ranges::any_of(results, [](const Result& result) { return result.coherent != 0; });
+}
 
 std::vector<Result> compute(const Model& model, const Arguments& arguments) {
   using Clock = std::chrono::steady_clock;
@@ -37,9 +42,10 @@ std::vector<Result> compute(const Model& model, const Arguments& arguments) {
   ProgressBar progress;
   for (const double theta : arguments.thetas) {
     const auto begin = Clock::now();
-    const Estimate estimate =
-        directional_albedo(model, Direction::from_degrees(theta, arguments.phi), arguments.options.albedo());
-    results.push_back({theta, estimate, std::chrono::duration<double>(Clock::now() - begin).count()});
+    const Direction l = Direction::from_degrees(theta, arguments.phi);
+    const Estimate estimate = directional_albedo(model, l, arguments.options.albedo());
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    results.push_back({theta, estimate, seconds, model.coherent_albedo(l)});
     progress.update(results.size(), arguments.thetas.size());
   }
   return results;
@@ -58,16 +64,20 @@ void print_json(const Model& model, const Arguments& arguments, const std::vecto
                                  {"evaluations", result.estimate.evaluations},
                                  {"status", to_string(result.estimate.status)},
                                  {"seconds", result.seconds}});
+    if (any_coherent(results)) object["results"].back()["coherent_albedo"] = result.coherent;
   }
   std::cout << json_text(object) << '\n';
 }
 
 void print_text(double phi, const std::vector<Result>& results) {
   std::vector<std::vector<std::string>> rows{{"theta", "phi", "albedo", "error", "evaluations", "status"}};
-  for (const auto& [theta, estimate, seconds] : results) {
+  const bool with_coherent = any_coherent(results);
+  if (with_coherent) rows.front().emplace_back("coherent");
+  for (const auto& [theta, estimate, seconds, coherent] : results) {
     rows.push_back({number_text(theta, 15), number_text(phi, 15), number_text(estimate.value, 15),
                     number_text(estimate.error, 2), std::to_string(estimate.evaluations),
                     std::string(to_string(estimate.status))});
+    if (with_coherent) rows.back().push_back(number_text(coherent, 15));
   }
   print_columns(std::cout, rows);
 }
@@ -76,7 +86,7 @@ void print_text(double phi, const std::vector<Result>& results) {
 Facts facts_of(const std::vector<Result>& results) {
   Facts facts;
   std::vector<double> values;
-  for (const auto& [theta, estimate, seconds] : results) {
+  for (const auto& [theta, estimate, seconds, coherent] : results) {
     values.push_back(estimate.value);
     facts.evaluations = std::max(facts.evaluations, static_cast<double>(estimate.evaluations));
     if (estimate.status != Status::divergent && !(estimate.error <= facts.error))
@@ -130,9 +140,12 @@ Command add_at(CLI::App& program) {
   app->footer(
       "An albedo that is infinite (at 90 degrees, for some models) is 'inf', in JSON null, with the status "
       "'divergent'.\n"
+      "Where a part of the albedo is a delta in the mirror direction (he_torrance), 'coherent' tells how much.\n"
       "--assert: max, min and mean are those of the results, error and evaluations the largest of one result.\n"
       "Example: Ward's model, and a check for continuous integration:\n"
-      "  albedo at ward alpha=0.1 --theta 0,60,89.9 --assert 'at(60)==0.488988+-1e-6'");
+      "  albedo at ward alpha=0.1 --theta 0,60,89.9 --assert 'at(60)==0.488988+-1e-6'\n"
+      "A sum of models, each with its parameters behind a colon; weight=0.5 among them halves a part:\n"
+      "  albedo at sum lambert:rho=0.2 ward:alpha=0.1,rho_s=0.3 --theta 0,60");
   return {app, [arguments](const std::string&) { return run(*arguments); }};
 }
 

@@ -28,7 +28,7 @@ struct AlbedoOptions {
 };
 
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V, the fraction of the light from L that is reflected   [Neumann
-/// 1999, eq. 2].
+/// 1999, eq. 2], and the model's coherent_albedo(): a delta has no f, but it reflects.
 ///
 /// At grazing incidence (θ = 90°, cosθ below 1e-60) it is the limit from above the horizon, or status `divergent` with
 /// an infinite value.

@@ -12,6 +12,7 @@
 #include "albedo/warps/half_vector.hpp"
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
+#include "albedo/warps/near_mirror.hpp"
 #include "core/lobe_integrand.hpp"
 
 namespace albedo {
@@ -36,6 +37,10 @@ std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Dir
       case LobeShape::half_vector:
         parts.push_back(
             std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, options.tolerance, as_float));
+        break;
+      case LobeShape::near_mirror:
+        parts.push_back(
+            std::make_unique<LobeIntegrand<NearMirrorWarp, T>>(model, lobe, l, options.tolerance, as_float));
         break;
     }
   }
@@ -74,17 +79,19 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
 }
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
-/// limit.
+/// limit. Where it changes as in a logarithm (He–Torrance: towards 0), how far is not known.
 Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions options) {
-  constexpr double far = 1e-12, near = 1e-14;
+  constexpr double farther = 1e-10, far = 1e-12, near = 1e-14;
   const double tolerance = options.tolerance;
   options.tolerance = std::max(tolerance / 4, 1e-30);  // two of them, and the way to the limit
-  Direction toward = l;
-  toward.sin_theta = 1;
-  toward.cos_theta = far;
-  const Estimate before = integrate(model, toward, options);
-  toward.cos_theta = near;
-  Estimate limit = integrate(model, toward, options);
+  const auto at = [&](double cosine) {
+    Direction toward = l;
+    toward.sin_theta = 1;
+    toward.cos_theta = cosine;
+    return integrate(model, toward, options);
+  };
+  const Estimate before = at(far);
+  Estimate limit = at(near);
   const double change = std::abs(limit.value - before.value);
   limit.evaluations += before.evaluations;
   if (limit.status == Status::non_finite || before.status == Status::non_finite) return limit;
@@ -97,10 +104,27 @@ Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions opt
   }
   limit.error += change;
   limit.error_kind = ErrorKind::extrapolated;
+  if (limit.error > tolerance * std::abs(limit.value)) {
+    const Estimate earlier = at(farther);
+    limit.evaluations += earlier.evaluations;
+    const bool as_logarithm = 2 * change > std::abs(before.value - earlier.value);
+    if (as_logarithm && change > 4 * (limit.error - change + before.error)) limit.error += std::abs(limit.value);
+  }
   if (limit.status == Status::converged && limit.error > tolerance * std::abs(limit.value)) {
     limit.status = Status::budget_exhausted;
   }
   return limit;
+}
+
+/// Adds the delta's share, known to rounding.
+Estimate with_coherent_part(Estimate estimate, double coherent, double tolerance) {
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  estimate.value += coherent;
+  estimate.error += rounding * coherent;
+  if (estimate.status == Status::converged && estimate.error > tolerance * std::abs(estimate.value)) {
+    estimate.status = Status::rounding_limited;
+  }
+  return estimate;
 }
 
 }  // namespace
@@ -113,9 +137,12 @@ Estimate directional_albedo(const Model& model, const Direction& l, const Albedo
   }
   if (options.budget < 1)
     throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
-  if (model.lobes().empty()) return {};
   constexpr double grazing = 1e-60;  // no angle in degrees comes closer without being 90
-  return l.cos_theta > grazing ? integrate(model, l, options) : grazing_limit(model, l, options);
+  const Estimate integral = model.lobes().empty()   ? Estimate{}
+                            : l.cos_theta > grazing ? integrate(model, l, options)
+                                                    : grazing_limit(model, l, options);
+  const double coherent = model.coherent_albedo(l);
+  return coherent == 0 ? integral : with_coherent_part(integral, coherent, options.tolerance);
 }
 
 }  // namespace albedo

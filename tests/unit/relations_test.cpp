@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "albedo/core/model.hpp"
+#include "albedo/directional_albedo.hpp"
 #include "albedo/microfacet/power_area.hpp"
 
 /// Models that are one another's special cases have the same values.
@@ -48,6 +48,36 @@ TEST(Relations, KurtWithoutItsDenominatorAndWardBoundedDifferByTheCosine) {
   const Direction l = Direction::from_degrees(50, 10), v = Direction::from_degrees(35, 170);
   const auto pair = direction_pair(unit_vector<double>(l), unit_vector<double>(v), UnitVector<double>{0, 0, 1});
   EXPECT_NEAR(brdf<double>(*kurt, l, v), brdf<double>(*bounded, l, v) * pair.cos_theta_d, 1e-14);
+}
+
+/// For heights of many wavelengths the series tends to e^(−b/g)/g, and He and Torrance's model to Beckmann's facets of
+/// slope α = 2σ/τ: where neither direction is masked, to f = D/(4 N·L N·V).
+TEST(Relations, RoughHeTorranceIsBeckmannsFacets) {
+  const auto rough = make_model("he_torrance", {{"sigma0", 1000.0}, {"tau", 20'000.0}});
+  const auto facets = make_model("cook_torrance", {{"m", 0.1}, {"masking", "none"}});
+  for (const double theta : {5.0, 20.0, 40.0}) {
+    for (const double aside : {-6.0, 0.0, 11.0}) {
+      const Direction l = Direction::from_degrees(theta), v = Direction::from_degrees(theta + aside, 170);
+      const double f = brdf<double>(*facets, l, v);
+      EXPECT_NEAR(brdf<double>(*rough, l, v), f, 1e-6 * f) << theta << ", " << aside;
+    }
+  }
+}
+
+/// What isn't scattered stays coherent: on a surface of gentle slopes the two parts are all of the light.
+TEST(Relations, HeTorrancesPartsAreOneOnGentleSlopes) {
+  for (const double sigma0 : {0.001, 0.01, 0.03, 0.1}) {
+    const Direction l = Direction::from_degrees(30);
+    const auto of = [&](const char* part) {
+      return directional_albedo(*make_model("he_torrance", {{"sigma0", sigma0}, {"tau", 200.0}, {"part", part}}), l);
+    };
+    const Estimate scattered = of("directional_diffuse"), coherent = of("specular"), total = of("total");
+    EXPECT_NEAR(scattered.value + coherent.value, 1, 1e-6) << sigma0;
+    EXPECT_NEAR(total.value, scattered.value + coherent.value, total.error + scattered.error + coherent.error);
+    EXPECT_EQ(coherent.evaluations, 0);
+    const double g = std::pow(4 * std::acos(-1.0) * sigma0 / 0.5 * l.cos_theta, 2);
+    EXPECT_NEAR(coherent.value, std::exp(-g), 1e-12) << sigma0;
+  }
 }
 
 /// A = 1 at normal incidence, and Γ((n+1)/2)/(2√π Γ(n/2+1)) at grazing; n = 0 is (1 + c)/2 and n = 2 is (1 + c)³(3 −

@@ -39,5 +39,18 @@ TEST(ScaledErfc, TheTwoFormsIn113BitsMeet) {
   EXPECT_LE(static_cast<double>(Quad(abs(Quad(scaled_erfc(below) / scaled_erfc(above) - 1)))), 1e-31);
 }
 
+/// w e^w = x, the definition, in 113 bits; and every number type agrees with that one.
+TEST(LambertW, IsTheInverseOfWTimesItsExponential) {
+  for (double x = 1e-36; x < 1e36; x *= 3.7) {
+    const Quad w = lambert_w(Quad(x));
+    EXPECT_LE(static_cast<double>(Quad(abs(Quad(w * exp(w) / x - 1)))), 1e-30) << x;
+    const double exact = static_cast<double>(w);
+    EXPECT_NEAR(lambert_w(x), exact, 2e-15 * exact) << x;
+    EXPECT_NEAR(static_cast<double>(lambert_w(static_cast<float>(x))), exact, 1e-6 * exact) << x;
+    EXPECT_NEAR(lambert_w(Block(x))[3], exact, 2e-15 * exact) << x;
+  }
+  EXPECT_LE(lambert_w(0.0), 1e-36);
+}
+
 }  // namespace
 }  // namespace albedo

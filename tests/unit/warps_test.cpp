@@ -8,6 +8,7 @@
 #include "albedo/warps/half_vector.hpp"
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
+#include "albedo/warps/near_mirror.hpp"
 
 namespace albedo {
 namespace {
@@ -76,6 +77,13 @@ std::vector<Setting> hemisphere_settings() {
       {{"diffuse", Lobe{}}, {"mirror", mirror_lobe(0, 20)}, {"slopes", slope_lobe(0, Profile::gaussian, 0.2, 0.1)}});
 }
 
+std::vector<Setting> near_mirror_settings() {
+  const auto lobe = [](double width, double facets) {
+    return Lobe{.shape = LobeShape::near_mirror, .width_x = width, .width_y = width, .facet_width = facets};
+  };
+  return settings({{"wide", lobe(2, 1)}, {"diffraction", lobe(0.05, 0.01)}, {"facets", lobe(1e-3, 1e-3)}});
+}
+
 constexpr double tolerance = 1e-12;
 
 template <class S>
@@ -134,6 +142,7 @@ void check_pairs_are_consistent(const std::vector<Setting>& all) {
 TEST(HalfVectorWarp, PairsAreConsistent) { check_pairs_are_consistent<HalfVectorWarp>(half_vector_settings()); }
 TEST(MirrorLobeWarp, PairsAreConsistent) { check_pairs_are_consistent<MirrorLobeWarp>(mirror_settings()); }
 TEST(HemisphereWarp, PairsAreConsistent) { check_pairs_are_consistent<HemisphereWarp>(hemisphere_settings()); }
+TEST(NearMirrorWarp, PairsAreConsistent) { check_pairs_are_consistent<NearMirrorWarp>(near_mirror_settings()); }
 
 /// In double nothing is lost that the formulas of the lobe need: slopes and cosines to 12 digits, or the gap to the
 /// axis.
@@ -201,6 +210,9 @@ TEST(HalfVectorWarp, WeightIsTheJacobian) {
 TEST(MirrorLobeWarp, WeightIsTheJacobian) {
   check_jacobian<MirrorLobeWarp>(mirror_settings(), [](const Setting&) { return 2; });
 }
+TEST(NearMirrorWarp, WeightIsTheJacobian) {
+  check_jacobian<NearMirrorWarp>(near_mirror_settings(), [](const Setting&) { return 2; });
+}
 TEST(HemisphereWarp, WeightIsTheJacobian) {
   check_jacobian<HemisphereWarp>(hemisphere_settings(), [](const Setting& s) {
     return s.lobe.shape == LobeShape::cosine || mirror_symmetric(s.lobe, s.l) ? 2 : 1;
@@ -265,6 +277,32 @@ TEST(HemisphereWarp, CoversTheHemisphere) {
   for (const Setting& s : hemisphere_settings()) {
     const auto e = gauss<double>(Coverage<HemisphereWarp<double>>(s), {.tolerance = 1e-8, .budget = 1'000'000});
     EXPECT_NEAR(e.value, pi<double>, 1e-10) << s.name;
+  }
+}
+
+TEST(NearMirrorWarp, CoversTheHemisphere) {
+  for (const Setting& s : near_mirror_settings()) {
+    const auto e = gauss<double>(Coverage<NearMirrorWarp<double>>(s), {.tolerance = 1e-8, .budget = 1'000'000});
+    EXPECT_EQ(e.status, Status::converged) << s.name;
+    EXPECT_NEAR(e.value, pi<double>, e.error) << s.name;
+  }
+}
+
+/// Near R, where L + V is a small difference, its slopes keep their digits.
+TEST(NearMirrorWarp, SlopesKeepTheirDigitsAtTheMirrorDirection) {
+  for (const Setting& s : near_mirror_settings()) {
+    const NearMirrorWarp<double> warp(s.lobe, s.l, tolerance);
+    const NearMirrorWarp<Quad> exact_warp(s.lobe, s.l, tolerance);
+    for (int panel = 1; panel < static_cast<int>(warp.panels().size()); ++panel) {
+      for (const double place : {1e-9, 1e-6, 1e-3, 0.1}) {
+        const DirectionPair<double> d = warp.point(panel, warp.line(panel, place), place).pair;
+        const DirectionPair<Quad> e = exact_warp.point(panel, exact_warp.line(panel, Quad(place)), Quad(place)).pair;
+        const double exact = static_cast<double>(Quad(sqrt(tan2_theta_h(e))));
+        EXPECT_NEAR(std::sqrt(tan2_theta_h(d)), exact, 1e-12 * exact) << s.name << ", panel " << panel << ", " << place;
+        EXPECT_LE(relative(Quad(d.cos_theta_v), e.cos_theta_v), 1e-12)
+            << s.name << ", panel " << panel << ", " << place;
+      }
+    }
   }
 }
 

@@ -32,6 +32,11 @@ class ErasedModel final : public Model {
     return lobes;
   }
 
+  [[nodiscard]] double coherent_albedo(const Direction& l) const override {
+    if constexpr (requires { model_.coherent_albedo(l); }) return model_.coherent_albedo(l);
+    return 0;
+  }
+
   [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override {
     return model_.evaluate(component, pair);
   }

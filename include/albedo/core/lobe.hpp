@@ -9,6 +9,8 @@ enum class LobeShape {
   cosine,       ///< around nothing: all of the hemisphere
   mirror,       ///< a polar angle from an axis A (Phong: the mirror direction)
   half_vector,  ///< the half vector's slopes
+  near_mirror,  ///< the mirror direction, in elevation and azimuth; width_x ~ that of its half vectors' slopes
+                ///< (isotropic)
 };
 
 /// How a lobe falls off from its centre.
@@ -34,6 +36,7 @@ struct Lobe {
   bool kink_v_cavity = false;       ///< the formula has the V-cavity geometry factor
   double horizon_exponent = 1;      ///< f cosθ_V ~ cosθ_V^p at the horizon
   bool horizon_layer = false;       ///< the formula changes over cosθ_V ~ width near the horizon (Smith masking)
+  double facet_width = 0;           ///< near_mirror: the facets' part of width_x, and of the layer along the horizon
 };
 
 /// A lobe of half vectors whose slopes have the given profile and widths.

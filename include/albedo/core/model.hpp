@@ -80,6 +80,10 @@ class Model {
   /// The lobes that are not switched off.
   [[nodiscard]] virtual std::vector<Lobe> lobes() const = 0;
 
+  /// What the model reflects into the mirror direction alone, as a fraction of the light from L: a delta, which is in
+  /// no lobe and no f(L,V), but is part of the albedo. 0 unless a model says otherwise.
+  [[nodiscard]] virtual double coherent_albedo(const Direction& /*l*/) const { return 0; }
+
   /// Lobe `component`'s f(L,V) [1/sr].
   [[nodiscard]] virtual Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept = 0;
   [[nodiscard]] virtual double evaluate(int component, const DirectionPair<double>& pair) const noexcept = 0;

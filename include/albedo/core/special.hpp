@@ -51,4 +51,17 @@ inline Quad scaled_erfc(const Quad& x) {
   return sum / (x * sqrt(pi<Quad>));
 }
 
+/// Lambert's W on x ≥ 0, the w of w e^w = x: Newton's iteration for w + ln w = ln x from a start that is good to 2e-2
+/// [Iacono & Boyd 2017]; relative rounding is that of the logarithm.
+template <class T>
+T lambert_w(const T& argument) {
+  constexpr double least = 1e-37;  // W is its argument there, and a float still holds it
+  constexpr int iterations = std::is_same_v<T, Quad> ? 5 : 4;
+  const T x = max(argument, T(least));
+  const T l = log1p(x);
+  T w = l * (1 - log1p(l) / (2 + l));
+  for (int i = 0; i < iterations; ++i) w = w / (1 + w) * (1 + log(T(x / w)));
+  return w;
+}
+
 }  // namespace albedo

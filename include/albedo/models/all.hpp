@@ -8,6 +8,7 @@
 #include "albedo/models/cook_torrance.hpp"
 #include "albedo/models/edwards.hpp"
 #include "albedo/models/ggx.hpp"
+#include "albedo/models/he_torrance.hpp"
 #include "albedo/models/kurt.hpp"
 #include "albedo/models/lafortune.hpp"
 #include "albedo/models/lambert.hpp"
@@ -31,6 +32,6 @@ struct ModelList {};
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
 using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
                             NeumannPhong, NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley,
-                            AshikhminPremoze, Schlick, Edwards, Kurt, Beckmann, Ggx, MicrofacetGenerator>;
+                            AshikhminPremoze, Schlick, Edwards, Kurt, Beckmann, Ggx, MicrofacetGenerator, HeTorrance>;
 
 }  // namespace albedo

@@ -51,7 +51,8 @@ class HemisphereWarp {
     // A lobe that reaches the horizon, or is elongated, isn't tracked: then nothing is believed.
     const double narrow = std::min(lobe.width_x, lobe.width_y), wide = std::max(lobe.width_x, lobe.width_y);
     const bool grazing = cosine < 0.03 || (cosine < 0.2 && cosine < 4 * wide);
-    if (grazing || wide > 4 * narrow) {
+    const bool changing = lobe.shape == LobeShape::near_mirror && wide < 0.1;  // wider than it says away from N
+    if (grazing || changing || wide > 4 * narrow) {
       for (Panel& panel : panels_) panel.tracked = false;
       return;
     }
