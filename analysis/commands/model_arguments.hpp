@@ -1,5 +1,5 @@
 /// @file
-/// MODEL [PARAM=VALUE]... on the command line.
+/// MODEL [PARAM=VALUE]... on the command line, or sum PART... with parts MODEL[:PARAM=VALUE[,PARAM=VALUE]...].
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,10 +13,13 @@
 
 namespace albedo::analysis {
 
+/// The name that makes a model of the parts behind it.
+inline constexpr const char* sum_name = "sum";
+
 /// The positional arguments, as written.
 struct ModelArguments {
   std::string model;
-  std::vector<std::string> parameters;  ///< NAME=VALUE
+  std::vector<std::string> parameters;  ///< NAME=VALUE, or the parts of a sum; `weight` scales a part
 
   /// @throws ParameterError if there is no model, or an argument is not NAME=VALUE
   [[nodiscard]] std::vector<Assignment> assignments() const;

@@ -103,6 +103,7 @@ Parameters TableRequest::fixed_parameters() const {
 }
 
 TableRequest parse_table_request(const ModelArguments& arguments) {
+  if (arguments.model == sum_name) throw ParameterError("a table varies the parameters of one model, and sum has none");
   const std::vector<Assignment> assignments = arguments.assignments();
   const ModelInfo& info = model_info(arguments.model);
   TableRequest request{.model = arguments.model, .fixed = {}, .axes = {}, .is_in_document = {}};

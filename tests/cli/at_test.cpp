@@ -41,6 +41,34 @@ TEST_F(CliTest, AtPrintsOneJsonObjectWithTheKeysOfTheContract) {
   EXPECT_NEAR(result["albedo"].get<double>(), 0.488988056485, 5e-9);
 }
 
+TEST_F(CliTest, AtTellsTheCoherentPartWhereThereIsOne) {
+  const Outcome outcome = run_albedo({"at", "he_torrance", "sigma0=0.1", "tau=1.7", "--theta", "0,80", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json results = Json::parse(outcome.out)["results"];
+  // tests/golden/he_torrance.json
+  EXPECT_NEAR(results[1]["coherent_albedo"].get<double>(), 0.79496552, 1e-8);
+  EXPECT_NEAR(results[1]["albedo"].get<double>(), 0.79496552 + 0.24503613, 2e-8);
+
+  const Outcome text = run_albedo({"at", "he_torrance", "--theta", "80"});
+  EXPECT_NE(text.out.find("coherent"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("0.794965"), std::string::npos) << text.out;
+  const Outcome diffuse = run_albedo({"at", "he_torrance", "part=directional_diffuse", "--theta", "80"});
+  EXPECT_EQ(diffuse.out.find("coherent"), std::string::npos) << diffuse.out;
+}
+
+TEST_F(CliTest, AtTakesASumOfModels) {
+  const Outcome outcome =
+      run_albedo({"at", "sum", "lambert:rho=0.2", "ward:alpha=0.1,rho_s=0.3,weight=0.5", "--theta", "60", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json object = Json::parse(outcome.out);
+  EXPECT_EQ(object["model"], "sum");
+  EXPECT_EQ(object["parameters"]["1.model"], "lambert");
+  EXPECT_EQ(object["parameters"]["2.weight"], 0.5);
+  EXPECT_EQ(object["parameters"]["2.alpha_y"], 0.1);
+  EXPECT_NEAR(object["results"][0]["albedo"].get<double>(), 0.2 + 0.15 * 0.488988056485, 5e-9);
+  EXPECT_EQ(run_albedo({"curve", "sum", "lambert", "ggx:weight=0", "--tolerance", "1e-4"}).code, 0);
+}
+
 TEST_F(CliTest, AtPrintsAlignedColumnsOtherwise) {
   const Outcome outcome = run_albedo({"at", "lambert", "rho=0.5", "--theta", "0,89.5"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -54,6 +54,21 @@ INSTANTIATE_TEST_SUITE_P(
                       at({"ggx", "masking=smith"}, "correlated, separable")));
 
 INSTANTIATE_TEST_SUITE_P(
+    Sums, WrongInput,
+    ::testing::Values(at({"sum"}, "sum has no parts"), at({"sum", "wardd:alpha=0.1"}, "did you mean 'ward'?"),
+                      at({"sum", "rho=0.2"}, "'rho=0.2' is not of the form"), at({"sum", ""}, "'' is not of the form"),
+                      at({"sum", "lambert:rho"}, "'rho' is not of the form NAME=VALUE"),
+                      at({"sum", "lambert:"}, "'' is not of the form NAME=VALUE"),
+                      at({"sum", "lambert:rho=0.2,"}, "'' is not of the form NAME=VALUE"),
+                      at({"sum", "lambert:rho=2"}, "rho is 2 and must be within [0, 1]"),
+                      at({"sum", "ward:alpha=0.1,alpha_x=0.2"}, "alpha_x is set twice"),
+                      at({"sum", "lambert:weight=-1"}, "the weight of part 1 is -1 and must be within [0, 1e+06]"),
+                      at({"sum", "lambert:weight=x"}, "weight: 'x' is not a finite number"),
+                      at({"sum", "lambert:weight=1,weight=2"}, "weight set twice"),
+                      at({"sum", "sum:lambert"}, "is a sum; write its parts instead"),
+                      Case{{"table", "sum", "lambert", "-o", "x.csv"}, "sum"}));
+
+INSTANTIATE_TEST_SUITE_P(
     Options, WrongInput,
     ::testing::Values(
         Case{{"at", "ward", "--theta", "91"}, "--theta: '91'"}, Case{{"at", "ward", "--theta", "-1"}, "--theta: '-1'"},

@@ -1,0 +1,112 @@
+#include "albedo/combinators/sum.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "albedo/core/errors.hpp"
+#include "albedo/core/parameter.hpp"
+
+namespace albedo {
+namespace {
+
+std::string numbered(std::size_t part, const std::string& name) { return std::to_string(part + 1) + "." + name; }
+
+void check(const std::vector<SumModel::Part>& parts) {
+  if (parts.empty()) throw ParameterError("a sum has no parts and must have at least one");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].model) throw ParameterError("part " + std::to_string(i + 1) + " of the sum has no model");
+    if (scale_range.contains(parts[i].weight)) continue;
+    std::ostringstream message;
+    message << "sum: the weight of part " << i + 1 << " is " << parts[i].weight << " and must be within ["
+            << scale_range.minimum << ", " << scale_range.maximum << "]";
+    throw ParameterError(message.str());
+  }
+}
+
+ModelInfo info_of(const std::vector<SumModel::Part>& parts) {
+  ModelInfo info{.name = "sum", .title = "Sum", .source = "f = Σ w_i f_i", .deviation = "none"};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ModelInfo& part = parts[i].model->info();
+    info.title += (i == 0 ? " of " : " + ") + part.name;
+    info.parameters.push_back(
+        {.name = numbered(i, "model"), .meaning = part.title, .range = {0, 0}, .choices = {part.name}});
+    info.parameters.push_back({.name = numbered(i, "weight"),
+                               .meaning = "weight of this part",
+                               .range = scale_range,
+                               .default_value = 1,
+                               .per_channel = true});
+    for (ParameterInfo parameter : part.parameters) {
+      parameter.name = numbered(i, parameter.name);
+      info.parameters.push_back(std::move(parameter));
+    }
+  }
+  return info;
+}
+
+}  // namespace
+
+SumModel::SumModel(std::vector<Part> parts) : parts_(std::move(parts)) {
+  check(parts_);
+  info_ = info_of(parts_);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (Lobe lobe : parts_[i].model->lobes()) {
+      if (parts_[i].weight == 0) continue;
+      sources_.push_back({i, lobe.component});
+      lobe.component = static_cast<int>(sources_.size()) - 1;
+      lobe.weight *= parts_[i].weight;
+      lobes_.push_back(lobe);
+    }
+  }
+}
+
+Claims SumModel::claims() const {
+  Claims all;
+  double weights = 0;
+  for (const Part& part : parts_) {
+    if (part.weight == 0) continue;
+    const Claims claims = part.model->claims();
+    weights += part.weight;
+    all.reciprocal = all.reciprocal && claims.reciprocal;
+    all.conserves_energy = all.conserves_energy && claims.conserves_energy;
+    all.bounded = all.bounded && claims.bounded;
+    all.isotropic = all.isotropic && claims.isotropic;
+  }
+  all.conserves_energy = all.conserves_energy && weights <= 1;
+  return all;
+}
+
+Parameters SumModel::parameters() const {
+  Parameters values;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    values.emplace_back(numbered(i, "model"), parts_[i].model->info().name);
+    values.emplace_back(numbered(i, "weight"), parts_[i].weight);
+    for (const auto& [name, value] : parts_[i].model->parameters()) values.emplace_back(numbered(i, name), value);
+  }
+  return values;
+}
+
+double SumModel::coherent_albedo(const Direction& l) const {
+  double sum = 0;
+  for (const Part& part : parts_) sum += part.weight * part.model->coherent_albedo(l);
+  return sum;
+}
+
+template <class T>
+T SumModel::weighted(int component, const DirectionPair<T>& pair) const {
+  const Source& source = sources_[static_cast<std::size_t>(component)];
+  const Part& part = parts_[source.part];
+  return T(static_cast<Scalar<T>>(part.weight)) * part.model->evaluate(source.component, pair);
+}
+
+Block SumModel::evaluate(int component, const DirectionPair<Block>& pair) const noexcept {
+  return weighted(component, pair);
+}
+double SumModel::evaluate(int component, const DirectionPair<double>& pair) const noexcept {
+  return weighted(component, pair);
+}
+float SumModel::evaluate(int component, const DirectionPair<float>& pair) const noexcept {
+  return weighted(component, pair);
+}
+Quad SumModel::evaluate(int component, const DirectionPair<Quad>& pair) const { return weighted(component, pair); }
+
+}  // namespace albedo
