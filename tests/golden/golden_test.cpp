@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "albedo/directional_albedo.hpp"
+#include "albedo/microfacet/wave_series.hpp"
 
 /// Values that share nothing with the library: closed forms and an independent quadrature. README.md says how they were
 /// made.
@@ -114,11 +115,33 @@ TEST_P(Golden, QuadAsksForMore) {
 
 INSTANTIATE_TEST_SUITE_P(Files, Golden,
                          ::testing::Values(File{"closed_forms.json", 187}, File{"independent.json", 65},
-                                           File{"more_models.json", 155}),
+                                           File{"more_models.json", 155}, File{"he_torrance.json", 39}),
                          [](const auto& instance) {
                            const std::string file = instance.param.name;
                            return file.substr(0, file.find('.'));
                          });
+
+/// He and Torrance's series against terms added up one by one, in every number type.
+TEST(WaveSeries, IsTheSumOfItsTerms) {
+  const json entries = read("wave_series.json");
+  ASSERT_EQ(entries.size(), 270U);
+  for (const json& entry : entries) {
+    const double g = entry.at("g").get<double>();
+    const Quad b(entry.at("b").get<std::string>()), exact(entry.at("value").get<std::string>());
+    const double ratio = static_cast<double>(Quad(b / Quad(g))), value = static_cast<double>(exact);
+    const auto what = "g = " + entry.at("g").dump() + ", b = " + entry.at("b").dump();
+    // b/g as a double is half a digit off, and so is e^(−b/m)
+    const double condition = 4e-16 * static_cast<double>(b) / std::max(g, 1.0);
+    EXPECT_NEAR(wave_series(g, ratio), value, (1e-13 + condition) * value) << what;
+    const Block block = wave_series(Block(g), Block(ratio));
+    for (int lane = 0; lane < block_width; ++lane) EXPECT_NEAR(block[lane], value, (1e-13 + condition) * value) << what;
+    const Quad quad = wave_series(Quad(g), Quad(b / Quad(g)));
+    EXPECT_LE(static_cast<double>(Quad(abs(Quad(quad / exact - 1)))), 1e-24) << what;
+    if (value < 1e-15) continue;
+    EXPECT_NEAR(static_cast<double>(wave_series(static_cast<float>(g), static_cast<float>(ratio))), value, 3e-5 * value)
+        << what;
+  }
+}
 
 /// The limits at 90° that exist are in closed_forms.json; these don't.
 TEST(Grazing, DivergesWhereThereIsNoLimit) {

@@ -29,8 +29,8 @@ class NearMirrorWarp {
     azimuth(l, cos_phi, sin_phi);
     along_x_ = cos_phi, along_y_ = sin_phi;
     // √(1 − cosθ) from the sine, near the zenith
-    const S below_zenith = cos_l_ > S(0.5) ? S(sin_l_ / sqrt(S(1 + cos_l_))) : S(sqrt(S(1 - cos_l_)));
-    mirror_ = cos_l_ / (1 + below_zenith);
+    below_zenith_ = cos_l_ > S(0.5) ? S(sin_l_ / sqrt(S(1 + cos_l_))) : S(sqrt(S(1 - cos_l_)));
+    mirror_ = cos_l_ / (1 + below_zenith_);
     // facets turn V by twice their slope; diffraction spreads it evenly in (V_x, V_y), seen aslant
     const S facets = S(2 * lobe.facet_width);
     const S spread = S(2 * std::sqrt(std::max(0.0, square(lobe.width_x) - square(lobe.facet_width))));
@@ -45,7 +45,7 @@ class NearMirrorWarp {
     add({mirror_, S(-1), stretched(middle, elevation)}, digits);
     // where masking sets in at R itself, it changes with cosθ_V as fast as N·L is small
     const S fastest = cos_l_ < 2 * facets && mirror_ < elevation ? mirror_ : elevation;
-    if (below_zenith > 0) add({mirror_, S(1), stretched(below_zenith, fastest)}, digits);
+    if (below_zenith_ > 0) add({mirror_, S(1), stretched(below_zenith_, fastest)}, digits);
     // masking's layer along the horizon, and its cone at V = N, rounded over an angle of 1/width
     for (Panel& panel : panels_) panel.layered = true;
   }
@@ -76,9 +76,10 @@ class NearMirrorWarp {
     part.elevation.at(u, away, slope);
     const T e = T(part.from) + T(part.side) * away;
     const T from_mirror = T(part.from - mirror_) + T(part.side) * away;
-    const T rise = from_mirror * (2 - e - T(mirror_));
+    const T to_zenith = T(below_zenith_) - from_mirror;  // 1 − e
+    const T rise = from_mirror * (to_zenith + T(below_zenith_));
     const T mu = e * (2 - e);
-    const T sine = (1 - e) * sqrt(T(1 + mu));
+    const T sine = to_zenith * sqrt(T(1 + mu));
     // L + V, in the plane of incidence (L at azimuth 0) and across
     const T along = rise * (mu + T(cos_l_)) / (T(sin_l_) + sine) + 2 * sine * square(ray.half_sine);
     const T across = -sine * ray.sine;
@@ -97,7 +98,7 @@ class NearMirrorWarp {
     pair.cos_theta_d = length / 2;
     pair.cos_theta_h = up / length;
     pair.axis_gap = (planar2 + square(rise)) / 2;
-    return {pair, ray.weight * slope * 2 * (1 - e) * mu};
+    return {pair, ray.weight * slope * 2 * to_zenith * mu};
   }
 
  private:
@@ -129,7 +130,8 @@ class NearMirrorWarp {
     return static_cast<int>((10 + 5 * static_cast<double>(stretch.factor)) * (2 + digits) / 10);
   }
 
-  S cos_l_, sin_l_, along_x_, along_y_, mirror_;
+  S cos_l_, sin_l_, along_x_, along_y_;
+  S mirror_, below_zenith_;  // e of R, and 1 − e
   Stretch turn_;
   std::vector<Part> parts_;
   std::vector<Panel> panels_;
