@@ -14,12 +14,10 @@ using boost::multiprecision::isfinite;
 using std::isfinite;
 
 /// How well an order resolves one axis of a cell, and what another order would do: a parabola through the logarithm of
-/// the expansion's coefficients, read off at three places.
+/// the expansion's coefficients.
 template <class S>
 struct Resolution {
-  S reading{};                                      // the error that the decay foretells
-  S compared = std::numeric_limits<S>::infinity();  // the error by comparison with the order before
-  bool foreseen = true;                             // whether that comparison came out as foretold
+  S reading{};  // the error that the decay foretells
   bool decays = false;
   double last = 0, log_last = 0, slope = 0,
          curvature = 0;  // at term `last`: logarithm of the coefficient, its derivatives (both ≤ 0)
@@ -29,7 +27,12 @@ struct Resolution {
     const double ahead = term - last;
     return log_last + ahead * (slope + curvature * ahead / 2);
   }
-  [[nodiscard]] S error() const { return std::max<S>(reading, compared); }
+
+  /// Whether twice the nodes would bring little more than another digit: two rules may then agree by accident.
+  [[nodiscard]] bool slow(double n) const {
+    constexpr double little = 3;
+    return !decays || log_error(n) - log_error(2 * n) < little;
+  }
 
   /// The logarithm of the error of n nodes, which errs by the coefficients from 2n on. The extrapolation is trusted for
   /// two thirds, and no further than the coefficients have been seen to fall.
@@ -42,7 +45,7 @@ struct Resolution {
 /// Reads the error of n nodes off the decay of the expansion of their values.
 template <class S>
 Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
-  const std::size_t n = values.size();
+  const std::size_t n = static_cast<std::size_t>(nodes.terms), size = values.size();
   const std::size_t tail = std::min<std::size_t>(n, 3);
   // envelope: the largest coefficient from a third, from two thirds, and of the last three terms on
   const std::size_t third = n - tail, second = std::min((n / 3 + third) / 2 + 1, third),
@@ -50,8 +53,8 @@ Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
   S envelope[3] = {};
   for (std::size_t k = n; k-- > first;) {
     S coefficient = 0;
-    const S* row = nodes.transform.data() + k * n;
-    for (std::size_t i = 0; i < n; ++i) coefficient += row[i] * values[i];
+    const S* row = nodes.transform.data() + k * size;
+    for (std::size_t i = 0; i < size; ++i) coefficient += row[i] * values[i];
     if (coefficient < 0) coefficient = -coefficient;
     for (const auto& [begin, largest] :
          {std::pair{first, &envelope[0]}, {second, &envelope[1]}, {third, &envelope[2]}}) {
@@ -91,21 +94,38 @@ Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
   return result;
 }
 
-/// A rectangle of a panel, integrated by a product rule.
+/// A ray of a cell's grid that stands for its neighbours when the rule along them is checked.
+template <class S>
+struct Probe {
+  S position;             // v, in the cell
+  std::vector<S> values;  // at the rule's nodes
+  S sum;                  // by the rule
+  S factor;               // what an error of this ray amounts to in the cell
+};
+
+/// A rectangle of a panel, integrated by a product rule. What is known of the two rules' errors is infinite until it
+/// has been measured.
 template <class S>
 struct Cell {
   int panel;
-  S u0, v0, width_u, width_v;
   Axis u, v;
+  S begin_u{0}, begin_v{0}, width_u{1}, width_v{1};
+  int extensions = 0;     // of the rule along v
+  std::vector<S> rows{};  // the rule along u at each node of v
   S value{}, magnitude{};
+  S doubt{};  // mean of the rays' tails
   Resolution<S> along_u{}, along_v{};
+  std::vector<Probe<S>> probes{};
+  S error_u = std::numeric_limits<S>::infinity(), error_v = std::numeric_limits<S>::infinity();
   bool hides_feature = false;
   bool divide_u = false;
-  bool rough = false;  // not smooth enough for readings: bisected since raising the order didn't help, or layered
+  bool rough = false;  // bisected since raising the order didn't help, or layered
 
-  [[nodiscard]] S error() const { return along_u.error() + along_v.error(); }
+  [[nodiscard]] S error() const { return error_u + error_v; }
 };
 
+/// Both rules are extended by about as many nodes as they have, and their errors are what that changes: along u on a
+/// few rays that stand for all of them, along v by new rays between the others.
 template <class S>
 class ProductRule {
  public:
@@ -114,9 +134,9 @@ class ProductRule {
   EstimateIn<S> run() {
     for (std::size_t i = 0; i < integrand_.panels().size(); ++i) {
       const Panel& panel = integrand_.panels()[i];
-      Cell<S> cell{static_cast<int>(i), S(0), S(0), S(1), S(1), panel.u, panel.v};
-      cell.u.order = std::clamp(cell.u.order, 4, most_nodes(cell.u.kind));
-      cell.v.order = std::clamp(cell.v.order, 4, most_nodes(cell.v.kind));
+      Cell<S> cell{static_cast<int>(i), panel.u, panel.v};
+      cell.u.order = std::clamp(cell.u.order, 4, most_checked(cell.u.kind));
+      cell.v.order = std::clamp(cell.v.order, 4, most_nodes(cell.v.kind) / 4);
       cell.rough = panel.layered;
       measure(cell);
       cells_.push_back(std::move(cell));
@@ -127,61 +147,183 @@ class ProductRule {
       const auto hiding =
           std::find_if(cells_.begin(), cells_.end(), [](const Cell<S>& cell) { return cell.hides_feature; });
       if (hiding != cells_.end()) {
-        if (!bisect(static_cast<std::size_t>(hiding - cells_.begin()), hiding->divide_u)) return estimate;
+        if (!bisect(*hiding, hiding->divide_u)) return estimate;
         continue;
       }
-      const S target = S(options_.tolerance) * (estimate.value < 0 ? -estimate.value : estimate.value);
-      auto worst = std::max_element(cells_.begin(), cells_.end(),
-                                    [](const auto& a, const auto& b) { return a.error() < b.error(); });
-      if (!refine(static_cast<std::size_t>(worst - cells_.begin()), target / S(2 * cells_.size()))) return estimate;
+      const S size = estimate.value < 0 ? S(-estimate.value) : estimate.value;
+      const auto worst = std::max_element(cells_.begin(), cells_.end(),
+                                          [](const auto& a, const auto& b) { return a.error() < b.error(); });
+      const S share = std::max<S>(S(options_.tolerance) * size / S(8 * cells_.size()), std::numeric_limits<S>::min());
+      if (!improve(*worst, share)) return estimate;
     }
   }
 
  private:
-  static void read(Resolution<S>& axis, const Nodes<S>& nodes, const std::vector<S>& values) {
-    Resolution<S> reading = resolution(nodes, values);
-    reading.compared = axis.compared;
-    reading.foreseen = axis.foreseen;
-    axis = reading;
+  /// Nodes that check a rule along u: Kronrod's extension, or on a gaussian axis, which has none, a larger rule.
+  static const Nodes<S>& checking(const Axis& axis) {
+    constexpr int more = 3;
+    return axis.kind == AxisKind::gaussian ? nodes_of<S>(axis.kind, axis.order + more)
+                                           : nodes_of<S>(axis.kind, axis.order, 1);
   }
+  /// How many of them the rule itself has evaluated.
+  static std::size_t known_nodes(const Axis& axis) {
+    return axis.kind == AxisKind::gaussian ? 0 : static_cast<std::size_t>(axis.order);
+  }
+  static int most_checked(AxisKind kind) { return kind == AxisKind::gaussian ? 13 : most_nodes(kind); }
 
-  void measure(Cell<S>& cell) {
+  /// Evaluates a cell on all nodes of its rules from the given one of v on.
+  void measure(Cell<S>& cell, std::size_t first = 0) {
     const Nodes<S>& nu = nodes_of<S>(cell.u.kind, cell.u.order);
-    const Nodes<S>& nv = nodes_of<S>(cell.v.kind, cell.v.order);
+    const Nodes<S>& nv = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions);
     const std::size_t count_u = nu.position.size(), count_v = nv.position.size();
-    positions_u_.resize(count_u);
-    positions_v_.resize(count_v);
-    for (std::size_t i = 0; i < count_u; ++i)
-      positions_u_[i] = cell.u0 + cell.width_u * nu.position[i] / S(cell.u.range);
-    for (std::size_t j = 0; j < count_v; ++j) positions_v_[j] = cell.v0 + cell.width_v * nv.position[j];
-    values_.resize(count_u * count_v);
-    integrand_.grid(cell.panel, positions_u_.data(), static_cast<int>(count_u), positions_v_.data(),
-                    static_cast<int>(count_v), values_.data());
-    evaluations_ += static_cast<std::int64_t>(values_.size());
+    evaluate(cell, nu, 0, nv.position.data() + first, count_v - first);
+    const S area = cell.width_u * cell.width_v / S(cell.u.range);
+    cell.rows.resize(count_v);
     columns_.assign(count_u, S(0));
-    rows_.resize(count_v);
-    cell.value = cell.magnitude = 0;
-    for (std::size_t j = 0; j < count_v; ++j) {
-      const S* row = values_.data() + j * count_u;
-      S sum = 0, magnitude = 0;
+    doubt_.resize(count_v - first);
+    S magnitude = 0, weight = 0, doubt = 0;
+    for (std::size_t j = first; j < count_v; ++j) {
+      const S* row = values_.data() + (j - first) * count_u;
+      S sum = 0, size = 0;
       for (std::size_t i = 0; i < count_u; ++i) {
         columns_[i] += nv.weight[j] * row[i];
         sum += nu.weight[i] * row[i];
-        magnitude += nu.weight[i] * (row[i] < 0 ? -row[i] : row[i]);
+        size += nu.weight[i] * (row[i] < 0 ? -row[i] : row[i]);
       }
-      rows_[j] = sum;
-      cell.value += nv.weight[j] * sum;
-      cell.magnitude += nv.weight[j] * magnitude;
+      cell.rows[j] = sum;
+      magnitude += nv.weight[j] * size;
+      doubt_[j - first] = tail(nu, row);
+      weight += nv.weight[j];
+      doubt += nv.weight[j] * doubt_[j - first];
     }
-    read(cell.along_u, nu, columns_);
-    read(cell.along_v, nv, rows_);
-    const S area = cell.width_u * cell.width_v / S(cell.u.range);
+    cell.value = 0;
+    for (std::size_t j = 0; j < count_v; ++j) cell.value += nv.weight[j] * cell.rows[j];
     cell.value *= area;
-    cell.magnitude *= area;
-    cell.along_u.reading *= area;
-    cell.along_v.reading *= area;
-    cell.hides_feature = hides_feature(integrand_.panels()[static_cast<std::size_t>(cell.panel)], cell.u0, cell.v0,
-                                       cell.width_u, cell.width_v, cell.divide_u);
+    cell.along_v = resolution(nv, cell.rows);
+    scale(cell.along_v, area);
+    if (first == 0) {
+      cell.magnitude = magnitude * area;
+      cell.along_u = resolution(nu, columns_);
+      scale(cell.along_u, area);
+      cell.hides_feature = hides_feature(integrand_.panels()[static_cast<std::size_t>(cell.panel)], cell.begin_u,
+                                         cell.begin_v, cell.width_u, cell.width_v, cell.divide_u);
+    }
+    doubt /= weight;
+    // what takes a second extension, or has harder rays than those that have been checked, is checked again
+    if (first == 0 || cell.extensions > 1 || doubt > 2 * cell.doubt) {
+      cell.doubt = doubt;
+      cell.probes = probes(cell, nu, nv, first, area / weight);
+      cell.error_u = std::numeric_limits<S>::infinity();
+    }
+    cell.error_v = cell.extensions > 0 ? extension_error(cell, area) : std::numeric_limits<S>::infinity();
+  }
+
+  void evaluate(const Cell<S>& cell, const Nodes<S>& nu, std::size_t first_u, const S* place_v, std::size_t count_v) {
+    positions_u_.resize(nu.position.size() - first_u);
+    for (std::size_t i = 0; i < positions_u_.size(); ++i) {
+      positions_u_[i] = cell.begin_u + cell.width_u * nu.position[first_u + i] / S(cell.u.range);
+    }
+    positions_v_.resize(count_v);
+    for (std::size_t j = 0; j < count_v; ++j) positions_v_[j] = cell.begin_v + cell.width_v * place_v[j];
+    values_.resize(positions_u_.size() * count_v);
+    integrand_.grid(cell.panel, positions_u_.data(), static_cast<int>(positions_u_.size()), positions_v_.data(),
+                    static_cast<int>(count_v), values_.data());
+    evaluations_ += static_cast<std::int64_t>(values_.size());
+  }
+
+  static void scale(Resolution<S>& along, const S& area) {
+    along.reading *= area;
+    along.log_last += std::log(static_cast<double>(area));
+  }
+
+  /// The largest of the last three coefficients of one ray: how much its sum is to be doubted.
+  static S tail(const Nodes<S>& nodes, const S* values) {
+    const std::size_t n = nodes.position.size();
+    S largest = 0;
+    for (std::size_t k = n - std::min<std::size_t>(n, 3); k < n; ++k) {
+      S coefficient = 0;
+      const S* row = nodes.transform.data() + k * n;
+      for (std::size_t i = 0; i < n; ++i) coefficient += row[i] * values[i];
+      largest = std::max<S>(largest, coefficient < 0 ? S(-coefficient) : coefficient);
+    }
+    return largest;
+  }
+
+  /// Divides the rays from the given one on into groups of equal doubt; the most doubtful of a group stands for it.
+  std::vector<Probe<S>> probes(const Cell<S>& cell, const Nodes<S>& nu, const Nodes<S>& nv, std::size_t first,
+                               const S& scale) const {
+    const std::size_t n = doubt_.size(), count = std::clamp<std::size_t>(n / 3, 2, 4);
+    const S largest = *std::max_element(doubt_.begin(), doubt_.end());
+    const S least = largest > 0 ? S(largest / 1000) : S(1);
+    const S* weight = nv.weight.data() + first;
+    S whole = 0;
+    for (std::size_t i = 0; i < n; ++i) whole += weight[i] * (doubt_[i] + least);
+    std::vector<Probe<S>> result;
+    S before = 0;
+    for (std::size_t i = 0; i < n;) {
+      S sum = 0, most = -1;
+      std::size_t chosen = i;
+      do {
+        const S share = weight[i] * (doubt_[i] + least);
+        if (share > most) most = share, chosen = i;
+        sum += share;
+        ++i;
+      } while (i < n && before + sum < whole * S(result.size() + 1) / S(count));
+      before += sum;
+      const S* values = values_.data() + chosen * nu.position.size();
+      result.push_back({nv.position[first + chosen],
+                        {values, values + nu.position.size()},
+                        cell.rows[first + chosen],
+                        scale * whole / (doubt_[chosen] + least)});
+    }
+    return result;
+  }
+
+  /// The error along u: what more nodes change on the probes.
+  void check(Cell<S>& cell) {
+    const Nodes<S>& nodes = checking(cell.u);
+    const std::size_t known = known_nodes(cell.u), fresh = nodes.position.size() - known;
+    places_.clear();
+    for (const Probe<S>& probe : cell.probes) places_.push_back(probe.position);
+    evaluate(cell, nodes, known, places_.data(), places_.size());
+    S ratio = 0;
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const Probe<S>& probe = cell.probes[k];
+      S sum = 0;
+      for (std::size_t i = 0; i < known; ++i) sum += nodes.weight[i] * probe.values[i];
+      for (std::size_t i = 0; i < fresh; ++i) sum += nodes.weight[known + i] * values_[k * fresh + i];
+      const S change = sum - probe.sum;
+      ratio = std::max<S>(ratio, probe.factor * (change < 0 ? S(-change) : change));
+    }
+    cell.error_u = ratio;
+    constexpr int rough = 4;
+    if (cell.rough) cell.error_u *= rough;
+    if (cell.u.kind == AxisKind::interval && above_noise(cell, cell.along_u) && cell.along_u.slow(cell.u.order))
+      cell.error_u = std::max(cell.error_u, cell.along_u.reading);
+  }
+
+  static bool above_noise(const Cell<S>& cell, const Resolution<S>& along) {
+    constexpr int noise = 200;  // of coefficients, which carry (2k + 1) times that of a value
+    return along.reading > noise * std::numeric_limits<S>::epsilon() * cell.magnitude;
+  }
+
+  /// The error along v, of the extended rule, from what the extension changed.
+  S extension_error(const Cell<S>& cell, const S& area) const {
+    const Nodes<S>& before = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions - 1);
+    S sum = 0;
+    for (std::size_t j = 0; j < before.position.size(); ++j) sum += before.weight[j] * cell.rows[j];
+    const S change = sum * area - cell.value;
+    const S size = change < 0 ? S(-change) : change;
+    constexpr int rough = 16;
+    const Resolution<S>& now = cell.along_v;
+    const int terms = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions).terms;
+    if (above_noise(cell, now) && now.slow(terms)) return std::max<S>(rough * size, now.reading);
+    if (cell.rough) return rough * size;
+    if (cell.extensions > 2) return size;  // it wasn't as smooth as it had been announced
+    // how much of the change the extended rule has left; a third of what its coefficients promise (in digits) is
+    // believed
+    constexpr double believed = 0.33, least = 0.02;
+    return size * S(std::clamp(std::exp((now.log_error(terms) - now.log_error(before.terms)) * believed), least, 1.0));
   }
 
   [[nodiscard]] EstimateIn<S> total() const {
@@ -196,10 +338,9 @@ class ProductRule {
     }
     const S size = estimate.value < 0 ? -estimate.value : estimate.value;
     const S rounding = 16 * std::numeric_limits<S>::epsilon() * magnitude;
-    const bool rounding_only =
-        estimate.error <= 8 * rounding;  // coefficients carry (2k + 1) times the noise of a value
-    estimate.error =
-        2 * estimate.error + rounding + S(integrand_.truncation()) * size;  // twice: measured on rough integrands
+    const bool rounding_only = estimate.error <= 3 * rounding;
+    estimate.error = 4 * estimate.error + rounding +
+                     S(integrand_.truncation()) * size;  // four times: measured over thousands of cases
     const bool resolved = !hides_feature && estimate.error <= S(options_.tolerance) * size;
     estimate.evaluations = evaluations_;
     estimate.status = !isfinite(estimate.value)         ? Status::non_finite
@@ -209,88 +350,83 @@ class ProductRule {
     return estimate;
   }
 
-  /// The order that should bring an axis's error down to the target, or confirm that it is there; 0 where only
-  /// bisection will.
-  static int raised(const Axis& axis, const Resolution<S>& now, const S& target) {
-    const int most = most_nodes(axis.kind);
-    // neighbouring orders of an interval miss the same things; a turn's don't
-    const int confirming =
-        axis.order + (axis.kind == AxisKind::interval ? std::max(3, axis.order / 4) : std::max(2, axis.order / 8));
-    if (now.reading < target / 1000 && now.foreseen) return confirming > most ? 0 : confirming;
-    if (!now.decays || !now.foreseen) return axis.order >= most ? 0 : std::min(most, 1 + axis.order * 3 / 2);
+  /// The order that should bring an error down to the target; 0 where only bisection will.
+  static int raised(int order, int most, const Resolution<S>& now, const S& error, const S& target) {
+    if (!now.decays) return order >= most ? 0 : std::min(most, 1 + order * 3 / 2);
     using std::log;
-    const double wanted = static_cast<double>(log(target));
-    const int reach = std::min(most, 2 * axis.order);
-    int order = confirming;
-    while (order < reach && now.log_error(order) > wanted) ++order;
+    // a measured error corrects the prediction
+    const double surplus = isfinite(error) ? static_cast<double>(log(error)) - now.log_error(order) : 0;
+    const double wanted = static_cast<double>(log(target)) - surplus;
+    const int reach = std::min(most, 2 * order);
+    int next = order + 1;
+    while (next < reach && now.log_error(next) > wanted) ++next;
     const bool hopeless = now.log_error(2.0 * most) > wanted;
-    return order > most || (hopeless && 2 * axis.order > most) ? 0 : order;
+    return next > most || (hopeless && 2 * order > most) ? 0 : next;
   }
 
-  /// Raises the orders of a cell or bisects it; false when the budget forbids.
-  bool refine(std::size_t index, const S& target) {
-    Cell<S> cell = cells_[index];
-    const S share = target > 0 ? S(target / 2) : S(std::numeric_limits<S>::min());
-    const bool u_is_worse = cell.along_u.error() >= cell.along_v.error();
-    // both axes at first; later one at a time, so that a change tells on which axis it was needed
-    const bool both = cell.along_u.error() == cell.along_v.error();
-    const int order_u = both || u_is_worse ? raised(cell.u, cell.along_u, share) : cell.u.order;
-    const int order_v = both || !u_is_worse ? raised(cell.v, cell.along_v, share) : cell.v.order;
-    if (order_u == 0 || order_v == 0) return bisect(index, order_u == 0);
-    cell.u.order = order_u;
-    cell.v.order = order_v;
-    if (evaluations_ + std::int64_t{cell.u.order} * cell.v.order > options_.budget) return false;
-    const Cell<S> old = cell;
-    measure(cell);
-    if (both) {
-      const S said_u = old.along_u.reading, said_v = old.along_v.reading;
-      compare(old, said_u + said_v, cell.value, cell.along_u);
-      compare(old, said_u + said_v, cell.value, cell.along_v);
-      (said_u > said_v ? cell.along_v : cell.along_u).foreseen = true;
-    } else {
-      compare(old, u_is_worse ? old.along_u.reading : old.along_v.reading, cell.value,
-              u_is_worse ? cell.along_u : cell.along_v);
+  [[nodiscard]] bool allows(std::int64_t count) const { return evaluations_ + count <= options_.budget; }
+
+  /// Whether the errors that are known leave a share for each that isn't.
+  [[nodiscard]] bool affordable(const S& share) const {
+    S sum = 0;
+    for (const Cell<S>& cell : cells_) {
+      sum += (isfinite(cell.error_u) ? cell.error_u : share) + (isfinite(cell.error_v) ? cell.error_v : share);
     }
-    cells_[index] = std::move(cell);
+    return sum <= share * S(2 * cells_.size());
+  }
+
+  /// The next thing to do about a cell: more nodes along u until they suffice, then along v; false when the budget
+  /// forbids.
+  bool improve(Cell<S>& cell, const S& share) {
+    const bool checked = isfinite(cell.error_u);
+    if (checked && cell.error_u > share && !(cell.error_u < cell.error_v && affordable(share))) {
+      const int order = raised(cell.u.order, most_checked(cell.u.kind), cell.along_u, cell.error_u, share);
+      if (order == 0) return bisect(cell, true);
+      if (!allows(order * static_cast<std::int64_t>(cell.rows.size()))) return false;
+      cell.u.order = order;
+      measure(cell);
+      return true;
+    }
+    if (!checked) {
+      const std::size_t fresh = checking(cell.u).position.size() - known_nodes(cell.u);
+      if (!allows(static_cast<std::int64_t>(cell.probes.size() * fresh))) return false;
+      check(cell);
+      return true;
+    }
+    const bool turn = cell.v.kind != AxisKind::interval;
+    if (turn || cell.extensions == 0) {
+      if (turn && 2 * cell.rows.size() > static_cast<std::size_t>(most_nodes(cell.v.kind))) return bisect(cell, false);
+      if (!allows(cell.u.order * static_cast<std::int64_t>(cell.rows.size() + 1))) return false;
+      const std::size_t known = cell.rows.size();
+      ++cell.extensions;
+      measure(cell, known);
+      return true;
+    }
+    const int order = raised(cell.v.order, most_nodes(cell.v.kind) / 2, cell.along_v, cell.error_v, share);
+    if (order == 0) return bisect(cell, false);
+    if (!allows(cell.u.order * std::int64_t{2 * order + 1})) return false;
+    cell.v.order = order;
+    measure(cell);
     return true;
   }
 
-  /// What is known of an axis's new error from the change that a finer rule along it made. A change that the old
-  /// reading foretold confirms the readings, and the finer rule is believed to err by a part of it; otherwise the
-  /// error is four times the change, as it is where convergence is slow (32 times where the integrand isn't smooth).
-  static void compare(const Cell<S>& old, const S& said, const S& value, Resolution<S>& axis) {
-    constexpr int confirmed = 4, closely = 30, unconfirmed = 4, slow = 32;
-    const S change = value > old.value ? S(value - old.value) : S(old.value - value);
-    const S noise = 16 * std::numeric_limits<S>::epsilon() * old.magnitude;
-    axis.foreseen = change <= said + noise;
-    const bool confirms = axis.foreseen && axis.decays && axis.curvature < 0 && said < closely * change && !old.rough;
-    axis.compared = change <= noise ? S(0)
-                    : confirms      ? S(change / confirmed)
-                                    : S((old.rough ? slow : unconfirmed) * change);
-  }
-
-  bool bisect(std::size_t index, bool along_u) {
+  bool bisect(Cell<S>& cell, bool along_u) {
     constexpr int order = 24;
-    Cell<S> parent = cells_[index];
-    parent.rough = true;
-    Cell<S> half = parent;
-    Axis& axis = along_u ? half.u : half.v;
-    axis = {AxisKind::interval, order};
+    Cell<S> half = cell;
+    half.rough = true;
+    half.extensions = 0;
+    (along_u ? half.u : half.v) = {AxisKind::interval, order};
+    if (!allows(2 * std::int64_t{half.u.order} * half.v.order)) return false;
     S& width = along_u ? half.width_u : half.width_v;
-    S& begin = along_u ? half.u0 : half.v0;
-    if (evaluations_ + 2 * std::int64_t{half.u.order} * half.v.order > options_.budget) return false;
+    const S& begin = along_u ? half.begin_u : half.begin_v;
     width /= 2;
     if (begin + width == begin) return false;  // as narrow as the arithmetic allows
     Cell<S> other = half;
-    (along_u ? other.u0 : other.v0) += width;
+    (along_u ? other.begin_u : other.begin_v) += width;
     measure(half);
     measure(other);
-    const S said = along_u ? parent.along_u.reading : parent.along_v.reading;
-    for (Cell<S>* child : {&half, &other}) {
-      compare(parent, said, half.value + other.value, along_u ? child->along_u : child->along_v);
-    }
-    cells_[index] = half;
-    cells_.push_back(other);
+    cell = std::move(half);
+    cells_.push_back(std::move(other));
     return true;
   }
 
@@ -298,7 +434,7 @@ class ProductRule {
   RuleOptions options_;
   std::int64_t evaluations_ = 0;
   std::vector<Cell<S>> cells_;
-  std::vector<S> positions_u_, positions_v_, values_, columns_, rows_;
+  std::vector<S> positions_u_, positions_v_, places_, values_, columns_, doubt_;
 };
 
 }  // namespace

@@ -114,9 +114,8 @@ TEST(Cost, GaussAtEightDigits) {
                 part(p).second.c_str());
     RecordProperty(label, static_cast<int>(part(p).first));
   }
-  // measured, with some room; the aim is 1000 and 10 000
-  EXPECT_LE(part(0.5).first, 1500);
-  EXPECT_LE(part(1).first, 25'000) << part(1).second;
+  EXPECT_LE(part(0.5).first, 1000);
+  EXPECT_LE(part(1).first, 10'000) << part(1).second;
 }
 
 TEST(Cost, NeedlesAndLambertAreCheap) {

@@ -325,8 +325,10 @@ class HalfVectorWarp {
       const AxisKind kind = extent == 4.0                 ? AxisKind::periodic
                             : symmetric_ && extent == 2.0 ? AxisKind::even_periodic
                                                           : AxisKind::interval;
-      Axis radial{AxisKind::interval, radial_order(ends)};
-      if (edges.size() == 2 && is_unbounded(static_cast<int>(parts_.size()) - 1)) {
+      const Reach reached = reach(static_cast<int>(parts_.size()) - 1);
+      Axis radial{AxisKind::interval, radial_order(ends, edges, i, reached.longest)};
+      const bool ends_by_itself = profile_ != Profile::ggx && !stretch_ && reached.horizon > gaussian_reach;
+      if (std::is_same_v<T, Block> && edges.size() == 2 && ends_by_itself) {
         parts_.back().ends = {};
         radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
       }
@@ -335,40 +337,63 @@ class HalfVectorWarp {
     }
   }
 
-  /// Whether the lobe has ended everywhere on a part before it meets the horizon.
-  [[nodiscard]] bool is_unbounded(int part) const {
-    if (!std::is_same_v<T, Block> || profile_ == Profile::ggx || stretch_) return false;
-    Block place;
-    for (int i = 0; i < block_width; ++i) place.lanes[i] = static_cast<double>(i) / (block_width - 1);
+  /// What a part's rays have between them: the r at which the first meets the horizon, and the longest's length.
+  struct Reach {
+    double horizon = std::numeric_limits<double>::infinity(), longest = 0;
+
+    void include(double far, double extent) { horizon = std::min(horizon, far), longest = std::max(longest, extent); }
+  };
+
+  /// Looks at eight rays, the first and the last among them.
+  [[nodiscard]] Reach reach(int part) const {
+    constexpr int rays = block_width;
+    const auto place = [](int i) { return static_cast<double>(i) / (rays - 1); };
+    Reach result;
     if constexpr (std::is_same_v<T, Block>) {
-      const Line ray = line(part, place);
+      double places[rays];
+      for (int i = 0; i < rays; ++i) places[i] = place(i);
+      const Line ray = line(part, Block::load(places));
       const Block far = ray.horizon_x * ray.inverse_rho;
-      return far.lanes.minCoeff() > gaussian_reach;
+      for (int i = 0; i < rays; ++i) result.include(far[i], ray.extent[i]);
+    } else {
+      for (int i = 0; i < rays; ++i) {
+        const Line ray = line(part, T(place(i)));
+        result.include(static_cast<double>(T(ray.horizon_x * ray.inverse_rho)), static_cast<double>(ray.extent));
+      }
     }
-    return false;
+    return result;
   }
 
   /// Beside the turn's own length: an edge that enters the lobe does so like exp(−r²).
   [[nodiscard]] int azimuth_order(AxisKind kind, double extent, bool edged) const {
-    int order = turn_.order(kind, extent, digits_ + 1, 1.2);
     if (l_.z == 1 && alpha_x_ == alpha_y_) return 4;
+    int order = turn_.order(kind, extent, digits_, 1.2);
     // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
     // facets' planes
     if (horizon_layer_ && alpha_x_ != alpha_y_) order *= 3;
-    if (profile_ == Profile::ggx && widest_ >= 1) order += order / 2;
-    return std::min(edged ? std::max(order, 3 + static_cast<int>(digits_)) : order, 128);
+    if (profile_ == Profile::ggx && widest_ > 1.5) order = order * 5 / 2;
+    if (horizon_exponent_ < 0) order += order / 2;
+    if (kind == AxisKind::interval) order += 3;
+    return std::min(edged ? std::max(order, 5 + static_cast<int>(digits_)) : order, 128);
   }
 
-  /// What is needed at eight digits, measured.
-  [[nodiscard]] int radial_order(const EndMap& ends) const {
-    double nodes = 16;
+  /// What is needed at eight digits on a part from edge `begin` on, measured.
+  [[nodiscard]] int radial_order(const EndMap& ends, const std::vector<Edge>& edges, std::size_t begin,
+                                 double longest) const {
+    double nodes = 15.5;
+    const double grazing = -std::log(static_cast<double>(l_.z));
     if (profile_ == Profile::ggx) {  // the tail's length, in decades
-      const double narrowest = static_cast<double>(min(alpha_x_, alpha_y_));
-      nodes = 8 + 3.8 * std::asinh(1 / narrowest) - 1.5 * std::log(static_cast<double>(l_.z)) + (widest_ > 1 ? 12 : 0);
+      const double decades = std::asinh(1 / static_cast<double>(min(alpha_x_, alpha_y_)));
+      nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.2 * grazing + (widest_ > 1.5 ? 22 : 0);
       if (alpha_x_ != alpha_y_) nodes *= 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
-      nodes = ends.right == 3 || ends.left > 1 ? 27 : 21;
+      nodes = ends.right == 3 ? 31 : ends.left > 1 ? 26 : 21;
+    } else if (begin > 0) {
+      nodes = edges[begin] == Edge::cavity_light ? 18 : edges[begin] == Edge::equal_cosines ? 13.5 : 11.5;
+    } else if (edges.size() > 2) {
+      nodes = grazing > 1.5 ? 15 : 13.5;
     }
+    if (!stretch_) nodes *= (7 + 1.6 * longest) / 15;  // a whole lobe is 5 long
     return static_cast<int>(nodes * (2 + digits_) / 10);
   }
 

@@ -141,15 +141,18 @@ class MirrorLobeWarp {
     parts_.push_back({arc, from, to});
     const double extent = static_cast<double>(arc.end - arc.begin);
     const AxisKind kind = extent == 2 ? AxisKind::even_periodic : AxisKind::interval;
-    Axis radial{AxisKind::interval, static_cast<int>(1.6 * (2 + digits_))};
     // where the lobe ends by itself, everywhere on the arc: its nearest horizon is at the arc's end
     const double nearest = extent_to_horizon(arc.end);
     const bool divided = from == Edge::equal_cosines || to == Edge::equal_cosines;
-    if (std::is_same_v<T, Block> && axis_.z > 0 && !divided && nearest > gaussian_reach) {
-      radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
+    const double exponent = 1 / square(static_cast<double>(rho_));
+    const double nodes = from == Edge::equal_cosines ? 1.35 : exponent < 4 ? 2 : 1.55;  // a digit
+    Axis radial{AxisKind::interval, static_cast<int>(nodes * (2 + digits_))};
+    if (std::is_same_v<T, Block> && axis_.z > 0 && !divided && nearest > gaussian_reach && exponent > 4) {
+      radial = {AxisKind::gaussian, exponent < 16 ? 8 : 5, static_cast<double>(cut_)};
     }
-    const int order = turn_.order(kind, extent, digits_ + 1, 1.2);
-    panels_.push_back({radial, {kind, divided ? std::max(order, 4 + static_cast<int>(digits_)) : order}, {}});
+    int order = turn_.order(kind, extent, digits_, 1.2);
+    if (kind == AxisKind::interval) order += 3;
+    panels_.push_back({radial, {kind, divided ? std::max(order, 5 + static_cast<int>(digits_)) : order}, {}});
   }
 
   /// r of the horizon at x = f K.

@@ -102,7 +102,7 @@ class Turn {
     } else {
       nodes = logarithm * length / (2 * boost::math::constants::pi<double>() * strip);
     }
-    return std::clamp(static_cast<int>(std::ceil(nodes)), 2, 64);
+    return std::clamp(static_cast<int>(std::ceil(nodes)), 4, 128);
   }
 
  private:
