@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 
 #include "albedo/core/integrand.hpp"
 #include "albedo/core/model.hpp"
@@ -22,87 +24,65 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
   }
 
   void points(int panel, const S* u, const S* v, S* w, int count) const override {
-    for (int i = 0; i < count; i += lanes) {
-      const int filled = std::min(lanes, count - i);
-      store(value(panel, warp_.line(panel, load(v + i, filled)), load(u + i, filled)), w + i, filled);
+    if constexpr (blocks) {
+      for (int i = 0; i < count; i += block_width) {
+        const int filled = std::min(block_width, count - i);
+        const auto line = warp_.line(panel, Block::load_partial(v + i, filled));
+        value(warp_.point(panel, line, Block::load_partial(u + i, filled))).store(w + i, filled);
+      }
+    } else {
+      for (int i = 0; i < count; ++i) w[i] = value(warp_.point(panel, warp_.line(panel, v[i]), u[i]));
     }
   }
 
-  /// Rays are set up several at a time, and their points packed into full blocks from one ray to the next.
+  /// Eight rays at a time, each in a lane of its own; the last ones in several lanes each, for several points at once.
   void grid(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const override {
-    for (int first = 0; first < count_v; first += lanes) {
-      const int rays_here = std::min(lanes, count_v - first);
-      auto rays = warp_.line(panel, load(v + first, rays_here));
-      if constexpr (!blocks) {
-        for (int i = 0; i < count_u; ++i) w[first * count_u + i] = value(panel, rays, u[i]);
-      } else {
-        const int count = rays_here * count_u;
-        std::array<int, block_width> owner{};
-        Block place;
-        int ray_index = 0, along = 0;
-        for (int done = 0; done < count; done += block_width) {
-          for (int k = 0; k < block_width; ++k) {
-            owner[static_cast<std::size_t>(k)] = ray_index;
-            place.lanes[k] = u[along];
-            if (done + k + 1 < count && ++along == count_u) along = 0, ++ray_index;
-          }
-          const auto ray = owner.front() == owner.back() ? lane(rays, owner.front()) : gather(rays, owner);
-          value(panel, ray, place).store(w + first * count_u + done, std::min(block_width, count - done));
+    if constexpr (blocks) {
+      for (int rays = 0; count_v > 0; v += rays, count_v -= rays, w += std::ptrdiff_t{rays} * count_u) {
+        if (count_v >= 7) {  // one lane may idle
+          rays = group<8>(panel, u, count_u, v, count_v, w);
+        } else if (count_v >= 3) {
+          rays = group<4>(panel, u, count_u, v, count_v, w);
+        } else if (count_v == 2) {
+          rays = group<2>(panel, u, count_u, v, count_v, w);
+        } else {
+          rays = group<1>(panel, u, count_u, v, count_v, w);
         }
+      }
+    } else {
+      for (int j = 0; j < count_v; ++j) {
+        const auto line = warp_.line(panel, v[j]);
+        for (int i = 0; i < count_u; ++i) *w++ = value(warp_.point(panel, line, u[i]));
       }
     }
   }
 
  private:
   static constexpr bool blocks = std::is_same_v<T, Block>;
-  static constexpr int lanes = blocks ? block_width : 1;
 
-  static T load(const S* values, int count) {
-    if constexpr (blocks) {
-      return count == block_width ? Block::load(values) : Block::load_partial(values, count);
-    } else {
-      return *values;
-    }
+  /// The first `most` rays, or those there are; returns their number.
+  template <int most>
+  int group(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const {
+    constexpr int points = block_width / most;  // lanes of a ray
+    const int rays = std::min(most, count_v);
+    const auto line =
+        warp_.line(panel, Block::generate([=](int lane) { return v[std::min(lane / points, rays - 1)]; }));
+    std::array<S*, std::size_t{most}> row;
+    for (int ray = 0; ray < most; ++ray) row[static_cast<std::size_t>(ray)] = w + std::min(ray, rays - 1) * count_u;
+    const auto some = [&](int i, auto filled) {
+      const auto place = [&](int lane) { return u[i + std::min(lane % points, filled - 1)]; };
+      std::array<double, block_width> values;
+      value(warp_.point(panel, line, points == 1 ? Block(u[i]) : Block::generate(place))).store(values.data());
+      const double* from = values.data();
+      for (S* to : row) std::copy_n(from, filled, to + i), from += points;
+    };
+    int i = 0;
+    for (; i + points <= count_u; i += points) some(i, std::integral_constant<int, points>());
+    if (i < count_u) some(i, count_u - i);
+    return rays;
   }
 
-  static void store(const T& value, S* values, int count) {
-    if constexpr (blocks) {
-      value.store(values, count);
-    } else {
-      *values = value;
-    }
-  }
-
-  /// Makes a ray's fields from those of others.
-  template <class Line, class Pick>
-  static Line transformed(Line& rays, const Pick& pick) {
-    Line ray;
-    [&]<std::size_t... I>(auto to, auto from, std::index_sequence<I...>) {
-      ((std::get<I>(to) = pick(std::get<I>(from))), ...);
-    }
-    (ray.fields(), rays.fields(), std::make_index_sequence<std::tuple_size_v<decltype(rays.fields())>>());
-    return ray;
-  }
-
-  /// One ray of several, in all lanes.
-  template <class Line>
-  static Line lane(Line& rays, int index) {
-    return transformed(rays, [index](const Block& field) { return Block(field[index]); });
-  }
-
-  /// A ray of its own in each lane.
-  template <class Line>
-  static Line gather(Line& rays, const std::array<int, block_width>& index) {
-    return transformed(rays, [&index](const Block& field) {
-      Block picked;
-      for (int k = 0; k < block_width; ++k) picked.lanes[k] = field[index[static_cast<std::size_t>(k)]];
-      return picked;
-    });
-  }
-
-  template <class Line>
-  T value(int panel, const Line& ray, const T& u) const {
-    const Sample<T> sample = warp_.point(panel, ray, u);
+  T value(const Sample<T>& sample) const {
     if constexpr (blocks) {
       if (as_float_) return value_as_float(sample);
     }
@@ -112,15 +92,13 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
   /// The formula as a shader would evaluate it, on pairs rounded to float.
   Block value_as_float(const Sample<Block>& sample) const {
     const DirectionPair<Block>& p = sample.pair;
-    Block result;
-    for (int i = 0; i < block_width; ++i) {
-      auto at = [i](const Block& b) { return static_cast<float>(b[i]); };
+    return Block::generate([&](int lane) {
+      auto at = [lane](const Block& b) { return static_cast<float>(b[lane]); };
       const DirectionPair<float> pair{at(p.cos_theta_l), at(p.cos_theta_v), at(p.l_x),         at(p.l_y),
                                       at(p.v_x),         at(p.v_y),         at(p.cos_theta_d), at(p.cos_theta_h),
                                       at(p.slope_x),     at(p.slope_y),     at(p.axis_gap)};
-      result.lanes[i] = static_cast<double>(model_.evaluate(component_, pair)) * sample.weight[i];
-    }
-    return result;
+      return static_cast<double>(model_.evaluate(component_, pair)) * sample.weight[lane];
+    });
   }
 
   const Model& model_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "rules/dot.hpp"
 #include "rules/nodes.hpp"
 
 namespace albedo {
@@ -52,9 +53,7 @@ Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
                     first = std::min(n / 3, second);
   S envelope[3] = {};
   for (std::size_t k = n; k-- > first;) {
-    S coefficient = 0;
-    const S* row = nodes.transform.data() + k * size;
-    for (std::size_t i = 0; i < size; ++i) coefficient += row[i] * values[i];
+    S coefficient = dot(nodes.transform.data() + k * size, values.data(), size);
     if (coefficient < 0) coefficient = -coefficient;
     for (const auto& [begin, largest] :
          {std::pair{first, &envelope[0]}, {second, &envelope[1]}, {third, &envelope[2]}}) {
@@ -180,29 +179,27 @@ class ProductRule {
     const S area = cell.width_u * cell.width_v / S(cell.u.range);
     cell.rows.resize(count_v);
     columns_.assign(count_u, S(0));
+    sizes_.assign(count_u, S(0));
     doubt_.resize(count_v - first);
-    S magnitude = 0, weight = 0, doubt = 0;
+    S weight = 0, doubt = 0;
     for (std::size_t j = first; j < count_v; ++j) {
       const S* row = values_.data() + (j - first) * count_u;
-      S sum = 0, size = 0;
-      for (std::size_t i = 0; i < count_u; ++i) {
-        columns_[i] += nv.weight[j] * row[i];
-        sum += nu.weight[i] * row[i];
-        size += nu.weight[i] * (row[i] < 0 ? -row[i] : row[i]);
+      if (first == 0) {
+        for (std::size_t i = 0; i < count_u; ++i) {
+          columns_[i] += nv.weight[j] * row[i];
+          sizes_[i] += nv.weight[j] * (row[i] < 0 ? -row[i] : row[i]);
+        }
       }
-      cell.rows[j] = sum;
-      magnitude += nv.weight[j] * size;
+      cell.rows[j] = dot(nu.weight.data(), row, count_u);
       doubt_[j - first] = tail(nu, row);
       weight += nv.weight[j];
       doubt += nv.weight[j] * doubt_[j - first];
     }
-    cell.value = 0;
-    for (std::size_t j = 0; j < count_v; ++j) cell.value += nv.weight[j] * cell.rows[j];
-    cell.value *= area;
+    cell.value = area * dot(nv.weight.data(), cell.rows.data(), count_v);
     cell.along_v = resolution(nv, cell.rows);
     scale(cell.along_v, area);
     if (first == 0) {
-      cell.magnitude = magnitude * area;
+      cell.magnitude = area * dot(nu.weight.data(), sizes_.data(), count_u);
       cell.along_u = resolution(nu, columns_);
       scale(cell.along_u, area);
       cell.hides_feature = hides_feature(integrand_.panels()[static_cast<std::size_t>(cell.panel)], cell.begin_u,
@@ -241,9 +238,7 @@ class ProductRule {
     const std::size_t n = nodes.position.size();
     S largest = 0;
     for (std::size_t k = n - std::min<std::size_t>(n, 3); k < n; ++k) {
-      S coefficient = 0;
-      const S* row = nodes.transform.data() + k * n;
-      for (std::size_t i = 0; i < n; ++i) coefficient += row[i] * values[i];
+      const S coefficient = dot(nodes.transform.data() + k * n, values, n);
       largest = std::max<S>(largest, coefficient < 0 ? S(-coefficient) : coefficient);
     }
     return largest;
@@ -434,7 +429,7 @@ class ProductRule {
   RuleOptions options_;
   std::int64_t evaluations_ = 0;
   std::vector<Cell<S>> cells_;
-  std::vector<S> positions_u_, positions_v_, places_, values_, columns_, doubt_;
+  std::vector<S> positions_u_, positions_v_, places_, values_, columns_, sizes_, doubt_;
 };
 
 }  // namespace

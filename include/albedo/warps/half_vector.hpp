@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "albedo/warps/ray.hpp"
 #include "albedo/warps/sample.hpp"
@@ -62,11 +61,6 @@ class HalfVectorWarp {
     T gap;        // from the panel's end to the horizon, in r
     T horizon_x;  // power: ρ r_e
     T weight;
-
-    auto fields() {
-      return std::tie(slope_x, slope_y, rho, inverse_rho, b, horizon, inverse_horizon, begin, extent, end, scale, gap,
-                      horizon_x, weight);
-    }
   };
 
   [[nodiscard]] Line line(int panel, const T& v) const {
@@ -84,8 +78,9 @@ class HalfVectorWarp {
     ray.inverse_rho = 1 / ray.rho;
     ray.b = tan_alpha_ * along * ray.inverse_rho;
     const T q = sqrt(square(ray.b) + 1);
-    ray.horizon = select(ray.b > T(0), T(abs(ray.b) + q), T(1 / (abs(ray.b) + q)));
-    ray.inverse_horizon = 1 / ray.horizon;
+    const T larger = abs(ray.b) + q, smaller = 1 / larger;
+    ray.horizon = select(ray.b > T(0), larger, smaller);
+    ray.inverse_horizon = select(ray.b > T(0), smaller, larger);
     const T far = radius(ray, ray.horizon);
     ray.horizon_x = far * ray.rho;
     const T limit = min(far, T(cut_));
@@ -115,13 +110,13 @@ class HalfVectorWarp {
     T to_horizon = ray.gap;
     if (stretch_) {
       const T rise = expm1(r);
-      const T half_left = ray.extent * complement / 2;
-      const T fall = expm1(half_left);
-      // r_end − r = 2 scale cosh(y_mid) sinh(half_left) with y_mid = y + half_left
-      const T e_mid = (1 + rise) * (1 + fall);
-      to_horizon += ray.scale * (e_mid + 1 / e_mid) * (fall + fall / (1 + fall)) / 2;
-      slope = slope * ray.scale * (1 + square(rise) / (2 * (1 + rise)));
-      r = ray.scale * (rise + rise / (1 + rise)) / 2;
+      const T fall = expm1(T(ray.extent * complement / 2));
+      const T per_rise = 1 / (1 + rise), per_fall = 1 / (1 + fall);
+      // r_end − r = 2 scale cosh(y_mid) sinh(y_mid − y), where y_mid is halfway to the end
+      const T twice_cosh = (1 + rise) * (1 + fall) + per_rise * per_fall;
+      to_horizon += ray.scale * twice_cosh * (fall + fall * per_fall) / 2;
+      slope = slope * ray.scale * (1 + square(rise) * per_rise / 2);
+      r = ray.scale * (rise + rise * per_rise) / 2;
     } else {
       to_horizon += ray.extent * complement;
     }
@@ -210,9 +205,15 @@ class HalfVectorWarp {
   [[nodiscard]] T radius(const Line& ray, const T& tau) const {
     return ray.inverse_rho * (profile_ == Profile::power ? T(sqrt(T(log1p(square(tau)) / 2))) : tau);
   }
-  [[nodiscard]] T edge(const Line& ray, Edge which) const {
+  /// tan(π/6 + arctan(x)/3), in terms of arctan(1/|x|), which keeps digits for x → −∞.
+  [[nodiscard]] static T tan_of_third(const T& x) {
     using std::atan;
-    using std::tan;
+    const T third = atan(T(1 / max(T(abs(x)), T(1e-30)))) * (2 / (3 * pi<T>));  // in quarter turns
+    T sine, cosine;
+    sincos_quarter(select(x < T(0), third, T(Scalar<T>(2) / 3 - third)), sine, cosine);
+    return sine / cosine;
+  }
+  [[nodiscard]] T edge(const Line& ray, Edge which) const {
     switch (which) {
       case Edge::origin:
         return T(0);
@@ -221,7 +222,7 @@ class HalfVectorWarp {
       case Edge::cavity_light:
         return 1 / max(ray.b, T(1e-30));
       case Edge::cavity_viewer:
-        return tan(T(pi<T> / 6 + atan(ray.b) / 3));
+        return tan_of_third(ray.b);
       case Edge::rim:
         break;
     }
@@ -350,9 +351,7 @@ class HalfVectorWarp {
     const auto place = [](int i) { return static_cast<double>(i) / (rays - 1); };
     Reach result;
     if constexpr (std::is_same_v<T, Block>) {
-      double places[rays];
-      for (int i = 0; i < rays; ++i) places[i] = place(i);
-      const Line ray = line(part, Block::load(places));
+      const Line ray = line(part, Block::generate(place));
       const Block far = ray.horizon_x * ray.inverse_rho;
       for (int i = 0; i < rays; ++i) result.include(far[i], ray.extent[i]);
     } else {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "albedo/warps/sample.hpp"
 #include "albedo/warps/turn.hpp"
@@ -64,8 +63,6 @@ class HemisphereWarp {
 
   struct Line {
     T cosine, sine;  // of V's azimuth
-
-    auto fields() { return std::tie(cosine, sine); }
   };
 
   [[nodiscard]] Line line(int panel, const T& v) const {

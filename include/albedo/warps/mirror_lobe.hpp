@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tuple>
-
 #include "albedo/warps/ray.hpp"
 #include "albedo/warps/sample.hpp"
 #include "albedo/warps/turn.hpp"
@@ -49,8 +47,6 @@ class MirrorLobeWarp {
     T begin, extent;
     T gap;  // from the panel's end to the horizon, in r
     T weight;
-
-    auto fields() { return std::tie(cosine, sine, height, horizon_x, begin, extent, gap, weight); }
   };
 
   [[nodiscard]] Line line(int panel, const T& v) const {
@@ -81,7 +77,7 @@ class MirrorLobeWarp {
     const T x2 = square(x);
     const T axis_gap = -expm1(-x2);
     const T cosine = exp(-x2);
-    const T sine = sqrt(-expm1(T(-2 * x2)));
+    const T sine = sqrt(axis_gap * (1 + cosine));
     const T plain = axis_.z * cosine + ray.height * sine;
     // towards the horizon, cos²α − cos²α_h (and with it cosθ_V) from the distance to the end of the ray
     const T to_horizon = ray.gap + ray.extent * (1 - u);
@@ -92,9 +88,9 @@ class MirrorLobeWarp {
     const T to_up = sine * ray.cosine, to_side = sine * ray.sine;
     const UnitVector<T> v{axis_.x * cosine + up_.x * to_up + across_.x * to_side,
                           axis_.y * cosine + up_.y * to_up + across_.y * to_side, cos_v};
-    DirectionPair<T> pair = direction_pair(broadcast<T>(l_), v, v);
-    pair.axis_gap = axis_gap;
-    return {pair, ray.weight * cosine * r * cos_v};
+    Sample<T> sample{direction_pair(broadcast<T>(l_), v, v), ray.weight * cosine * r * cos_v};
+    sample.pair.axis_gap = axis_gap;
+    return sample;
   }
 
  private:
