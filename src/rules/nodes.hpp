@@ -109,28 +109,35 @@ template <class S>
 Nodes<S> turn_nodes(int n, int doublings, bool even) {
   using std::cos;
   using std::sin;
-  Nodes<S> nodes;
-  for (int i = 0; i < n; ++i) nodes.position.push_back(S(2 * i + 1) / S(2 * n));
+  const int parts = doublings > 1 ? n << doublings : 2 * n;  // nodes are multiples of one of these
+  std::vector<int> places;
+  for (int i = 0; i < n; ++i) places.push_back((2 * i + 1) * (parts / (2 * n)));
   if (doublings > 0) {
-    for (int i = 0; i < (even ? n + 1 : n); ++i) nodes.position.push_back(S(i) / S(n));
+    for (int i = 0; i < (even ? n + 1 : n); ++i) places.push_back(i * (parts / n));
   }
   for (int doubling = 1; doubling < doublings; ++doubling) {
-    const int parts = n << doubling;
-    for (int i = 0; i < parts; ++i) nodes.position.push_back(S(2 * i + 1) / S(2 * parts));
+    const int halves = 2 * n << doubling;
+    for (int i = 1; i < halves; i += 2) places.push_back(i * (parts / halves));
   }
+  Nodes<S> nodes;
   nodes.terms = n << doublings;
-  const std::size_t size = nodes.position.size();
-  for (const S& place : nodes.position) {
-    nodes.weight.push_back((even && (place == 0 || place == 1) ? S(0.5) : S(1)) / S(nodes.terms));
+  for (const int place : places) {
+    nodes.position.push_back(S(place) / S(parts));
+    nodes.weight.push_back((even && (place == 0 || place == parts) ? S(0.5) : S(1)) / S(nodes.terms));
   }
-  nodes.transform.resize(static_cast<std::size_t>(nodes.terms) * size);
-  const S turn = boost::math::constants::pi<S>() * (even ? 1 : 2);
+  const int turn = even ? 2 * parts : parts;
+  std::vector<S> cosine, sine;
+  for (int i = 0; i < turn; ++i) {
+    const S angle = 2 * boost::math::constants::pi<S>() * S(i) / S(turn);
+    cosine.push_back(cos(angle)), sine.push_back(sin(angle));
+  }
+  nodes.transform.reserve(static_cast<std::size_t>(nodes.terms) * places.size());
   for (int k = 0; k < nodes.terms; ++k) {
-    const S harmonic = S(even ? k : (k + 1) / 2);
-    for (std::size_t i = 0; i < size; ++i) {
-      const S angle = turn * harmonic * nodes.position[i];
-      nodes.transform[static_cast<std::size_t>(k) * size + i] =
-          (k == 0 ? 1 : 2) * nodes.weight[i] * (even || k % 2 == 1 || k == 0 ? cos(angle) : sin(angle));
+    const int harmonic = even ? k : (k + 1) / 2;
+    const std::vector<S>& wave = even || k % 2 == 1 || k == 0 ? cosine : sine;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      nodes.transform.push_back((k == 0 ? 1 : 2) * nodes.weight[i] *
+                                wave[static_cast<std::size_t>(harmonic * places[i] % turn)]);
     }
   }
   return nodes;
