@@ -69,16 +69,28 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
         warp_.line(panel, Block::generate([=](int lane) { return v[std::min(lane / points, rays - 1)]; }));
     std::array<S*, std::size_t{most}> row;
     for (int ray = 0; ray < most; ++ray) row[static_cast<std::size_t>(ray)] = w + std::min(ray, rays - 1) * count_u;
-    const auto some = [&](int i, auto filled) {
+    const auto sample = [&](int i, auto filled) {
       const auto place = [&](int lane) { return u[i + std::min(lane % points, filled - 1)]; };
+      return warp_.point(panel, line, points == 1 ? Block(u[i]) : Block::generate(place));
+    };
+    const auto put = [&](const Block& result, int i, auto filled) {
       std::array<double, block_width> values;
-      value(warp_.point(panel, line, points == 1 ? Block(u[i]) : Block::generate(place))).store(values.data());
+      result.store(values.data());
       const double* from = values.data();
       for (S* to : row) std::copy_n(from, filled, to + i), from += points;
     };
+    constexpr std::integral_constant<int, points> all;
     int i = 0;
-    for (; i + points <= count_u; i += points) some(i, std::integral_constant<int, points>());
-    if (i < count_u) some(i, count_u - i);
+    for (; i + 2 * points <= count_u; i += 2 * points) {  // in pairs: one works while the other waits for a root
+      const Sample<Block> samples[]{sample(i, all), sample(i + points, all)};
+      const Block results[]{value(samples[0]), value(samples[1])};
+      put(results[0], i, all);
+      put(results[1], i + points, all);
+    }
+    for (; i < count_u; i += points) {
+      const int filled = std::min(points, count_u - i);
+      put(value(sample(i, filled)), i, filled);
+    }
     return rays;
   }
 
