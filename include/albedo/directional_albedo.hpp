@@ -6,7 +6,13 @@
 
 namespace albedo {
 
-enum class Rule { gauss, cubature, stratified };
+/// Where the points are in the unit square, and what the error is; each is described in rules/.
+enum class Rule { gauss, cubature, kronrod, tanh_sinh, stratified, sobol, monte_carlo };
+
+/// Whether a rule's points are random, and its error a standard error.
+constexpr bool is_monte_carlo(Rule rule) {
+  return rule == Rule::stratified || rule == Rule::sobol || rule == Rule::monte_carlo;
+}
 
 /// Which map from the unit square the rule works on.
 enum class Warp {
@@ -24,7 +30,7 @@ struct AlbedoOptions {
   Precision precision = Precision::float64;
   double tolerance = 1e-8;          ///< relative
   std::int64_t budget = 2'000'000;  ///< most evaluations
-  std::uint64_t seed = 1;           ///< of the stratified rule
+  std::uint64_t seed = 1;           ///< of the Monte Carlo rules
 };
 
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V, the fraction of the light from L that is reflected   [Neumann

@@ -8,7 +8,11 @@
 #include "albedo/core/errors.hpp"
 #include "albedo/rules/cubature.hpp"
 #include "albedo/rules/gauss.hpp"
+#include "albedo/rules/kronrod.hpp"
+#include "albedo/rules/monte_carlo.hpp"
+#include "albedo/rules/sobol.hpp"
 #include "albedo/rules/stratified.hpp"
+#include "albedo/rules/tanh_sinh.hpp"
 #include "albedo/warps/half_vector.hpp"
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
@@ -58,6 +62,26 @@ Estimate believed(Estimate estimate, const Integrand<S>& integrand) {
   return estimate;
 }
 
+Estimate applied(Rule rule, const Integrand<double>& integrand, const RuleOptions& options) {
+  switch (rule) {
+    case Rule::gauss:
+      return rounded(gauss(integrand, options));
+    case Rule::cubature:
+      return cubature(integrand, options);
+    case Rule::kronrod:
+      return kronrod(integrand, options);
+    case Rule::tanh_sinh:
+      return tanh_sinh(integrand, options);
+    case Rule::stratified:
+      return stratified(integrand, options);
+    case Rule::sobol:
+      return sobol(integrand, options);
+    case Rule::monte_carlo:
+      break;
+  }
+  return monte_carlo(integrand, options);
+}
+
 Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& options) {
   const RuleOptions rule{options.tolerance, options.budget, options.seed};
   if (options.precision == Precision::quad && options.rule == Rule::gauss) {
@@ -67,10 +91,7 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
   const std::unique_ptr<Integrand<double>> integrand =
       options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
                                            : integrand_of<Block>(model, l, options);
-  const Estimate estimate = options.rule == Rule::gauss      ? rounded(gauss(*integrand, rule))
-                            : options.rule == Rule::cubature ? cubature(*integrand, rule)
-                                                             : stratified(*integrand, rule);
-  return believed(estimate, *integrand);
+  return believed(applied(options.rule, *integrand, rule), *integrand);
 }
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "rules/conclusion.hpp"
+
 namespace albedo {
 namespace {
 
@@ -113,7 +115,11 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
   const GenzMalik rule(integrand);
   std::vector<Box> heap;
   std::int64_t evaluations = 0;
-  constexpr int initial = 5;  // per axis: a first look that isn't fooled by symmetry
+  constexpr int enough = 5;  // per axis: a first look that isn't fooled by symmetry
+  const double affordable =
+      static_cast<double>(options.budget) / points_per_box / static_cast<double>(integrand.panels().size());
+  const int initial = affordable < enough * enough ? static_cast<int>(std::sqrt(affordable)) : enough;
+  if (initial == 0) return unaffordable(ErrorKind::rule_difference);
   for (std::size_t panel = 0; panel < integrand.panels().size(); ++panel) {
     for (int i = 0; i < initial * initial; ++i) {
       Box box{static_cast<int>(panel), (0.5 + i % initial) / initial, (0.5 + i / initial) / initial, 0.5 / initial,
@@ -126,7 +132,7 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
   std::make_heap(heap.begin(), heap.end());
   Sums sums = sum(heap);
   const auto met = [&] {
-    return !sums.unseen_feature &&
+    return !sums.unseen_feature && initial == enough &&
            sums.error + 16 * epsilon * sums.magnitude + integrand.truncation() * std::abs(sums.value) <=
                options.tolerance * std::abs(sums.value);
   };
@@ -167,8 +173,8 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
   if (!std::isfinite(sums.value) || !std::isfinite(sums.error)) {
     estimate.status = Status::non_finite;
   } else if (!met()) {
-    estimate.status =
-        !sums.unseen_feature && sums.error <= rounding ? Status::rounding_limited : Status::budget_exhausted;
+    estimate.status = !sums.unseen_feature && initial == enough && sums.error <= rounding ? Status::rounding_limited
+                                                                                          : Status::budget_exhausted;
   }
   return estimate;
 }
