@@ -29,7 +29,8 @@ constexpr std::array rule_names{Name{"gauss", Rule::gauss},
                                 Name{"stratified", Rule::stratified},
                                 Name{"sobol", Rule::sobol},
                                 Name{"monte_carlo", Rule::monte_carlo}};
-constexpr std::array warp_names{Name{"lobe", Warp::lobe}, Name{"hemisphere", Warp::hemisphere}};
+constexpr std::array warp_names{Name{"lobe", Warp::lobe}, Name{"hemisphere", Warp::hemisphere},
+                                Name{"paper", Warp::paper}};
 constexpr std::array precision_names{Name{"double", Precision::float64}, Name{"float", Precision::float32},
                                      Name{"quad", Precision::quad}};
 
@@ -97,7 +98,7 @@ void ComputeOptions::describe(nlohmann::ordered_json& object) const {
 void add_compute_options(CLI::App& command, ComputeOptions& options) {
   add_choice(command, "--rule", rule_names, options.rule, "where the points are");
   add_choice(command, "--warp", warp_names, options.warp,
-             "the map they are taken through: the lobe's exact domain or all of V");
+             "the map they are taken through: the lobe's exact domain, all of V, or the sampling of the model's paper");
   command
       .add_option_function<std::string>(
           "--tolerance",

@@ -19,6 +19,7 @@ enum class Warp {
   lobe,        ///< the exact domain of each of the model's lobes
   hemisphere,  ///< cosθ_V and azimuth; an elongated lobe or one that reaches the horizon never counts as converged
                ///< there
+  paper,       ///< the sampling published with the model, weight 0 below the horizon
 };
 
 /// The arithmetic that a model's formula is evaluated in. `quad` sums in 113 bits too with the gauss rule.
@@ -38,7 +39,8 @@ struct AlbedoOptions {
 ///
 /// At grazing incidence (θ = 90°, cosθ below 1e-60) it is the limit from above the horizon, or status `divergent` with
 /// an infinite value.
-/// @throws ParameterError unless the tolerance is within [1e-30, 1) and the budget positive.
+/// @throws ParameterError unless the tolerance is within [1e-30, 1) and the budget positive; for Warp::paper also where
+/// a lobe of the model has no sampler.
 Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options = {});
 
 }  // namespace albedo

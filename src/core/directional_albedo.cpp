@@ -17,6 +17,7 @@
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
 #include "core/lobe_integrand.hpp"
+#include "core/paper_integrand.hpp"
 
 namespace albedo {
 namespace {
@@ -27,6 +28,10 @@ std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Dir
   const bool as_float = options.precision == Precision::float32;
   std::vector<std::unique_ptr<Integrand<Scalar<T>>>> parts;
   for (const Lobe& lobe : model.lobes()) {
+    if (options.warp == Warp::paper) {
+      parts.push_back(std::make_unique<PaperIntegrand<T>>(model, lobe, l, options.tolerance, as_float));
+      continue;
+    }
     const LobeShape shape = options.warp == Warp::hemisphere ? LobeShape::cosine : lobe.shape;
     switch (shape) {
       case LobeShape::cosine:
@@ -124,6 +129,14 @@ Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions opt
   return limit;
 }
 
+void require_samplers(const Model& model) {
+  for (const Lobe& lobe : model.lobes()) {
+    if (model.has_sampler(lobe.component)) continue;
+    throw ParameterError("warp is 'paper' and " + model.info().name +
+                         " has no sampler for one of its lobes: it must be 'lobe' or 'hemisphere'");
+  }
+}
+
 }  // namespace
 
 Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
@@ -135,6 +148,7 @@ Estimate directional_albedo(const Model& model, const Direction& l, const Albedo
   if (options.budget < 1)
     throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
   if (model.lobes().empty()) return {};
+  if (options.warp == Warp::paper) require_samplers(model);
   constexpr double grazing = 1e-60;  // no angle in degrees comes closer without being 90
   return l.cos_theta > grazing ? integrate(model, l, options) : grazing_limit(model, l, options);
 }

@@ -41,6 +41,9 @@ struct Nodes {
 struct Part {
   double begin = 0, width = 1;
   double value = 0, error = 0, magnitude = 0;
+  std::array<double, 2> hidden{};  // what an edge of the integrand could have beyond the outermost nodes, at each end
+
+  [[nodiscard]] double density() const { return magnitude / width; }
 };
 
 /// Applies the rule to values at an interval's nodes.
@@ -63,6 +66,20 @@ void measure(const Nodes<N>& nodes, const double* values, Part& part) {
   if (part.error <= noise * part.magnitude) part.error = 0;  // counted as rounding, once for all
   // nodes are rounded like their positions, which tells where the interval is far narrower
   part.error += epsilon / 4 * (part.begin + part.width) * deviation;
+  part.error = std::max(part.error, part.hidden[0] + part.hidden[1]);
+}
+
+/// The part of an interval between its outermost node and an end: an edge of the integrand there isn't seen.
+template <unsigned N>
+double hidden_end(const Nodes<N>& nodes) {
+  return nodes.position.front();
+}
+
+/// Where halves differ, an edge may hide at the end that they share.
+void keep_hidden(const Part& parent, double end, Part& a, Part& b) {
+  const double step = end * std::abs(a.value - b.value);
+  a.hidden = {parent.hidden[0] / 2, step};
+  b.hidden = {step, parent.hidden[1] / 2};
 }
 
 /// What is added to a half's own error where bisecting changed more than had been reported: that change is nearly the
@@ -145,6 +162,7 @@ class Nested {
     Strip strip;
     strip.panel = panel;
     strip.part = part;
+    const bool edged = panel_of(strip).edged;
     strip.hides_feature = std::any_of(panel_of(strip).features.begin(), panel_of(strip).features.end(),
                                       [&](const Feature& f) { return too_wide(part, f.v, f.width_v); });
     strip.rows.resize(column_nodes);
@@ -165,8 +183,15 @@ class Nested {
         strip.rows[j].parts.push_back(along);
       }
     }
-    for (Row& row : strip.rows) row.sum();
+    for (Row& row : strip.rows) {
+      if (edged) hide_at_ends(row);
+      row.sum();
+    }
     measure_strip(strip);
+    if (edged) {
+      strip.part.hidden.fill(hidden_end(columns_) * strip.part.magnitude);
+      measure_strip(strip);
+    }
     return strip;
   }
 
@@ -178,6 +203,18 @@ class Nested {
   static bool too_wide(const Part& part, double place, double width) {
     constexpr double seen = 4;
     return part.width > std::max(seen * width, distance(part, place));
+  }
+
+  /// What may hide at the ends of a row's first intervals, which follow one another.
+  static void hide_at_ends(Row& row) {
+    for (std::size_t i = 0; i < row.parts.size(); ++i) {
+      Part& part = row.parts[i];
+      const double before = i > 0 ? row.parts[i - 1].density() : 0;
+      const double after = i + 1 < row.parts.size() ? row.parts[i + 1].density() : 0;
+      const double end = hidden_end(nodes_) * part.width;
+      part.hidden = {end * std::max(part.density(), before), end * std::max(part.density(), after)};
+      part.error = std::max(part.error, part.hidden[0] + part.hidden[1]);
+    }
   }
 
   /// The intervals of u that none of the features that reach into a strip is narrower than.
@@ -196,6 +233,7 @@ class Nested {
         done.push_back(part);
       }
     }
+    std::sort(done.begin(), done.end(), [](const Part& a, const Part& b) { return a.begin < b.begin; });
     return done;
   }
 
@@ -272,6 +310,7 @@ class Nested {
     if (!strip.hides_feature) {
       a.surprise = b.surprise = surprise(strip.part.value, strip.error() + a.rows_error + b.rows_error,
                                          strip.part.magnitude, a.part.value + b.part.value);
+      if (panel_of(strip).edged) keep_hidden(strip.part, hidden_end(columns_), a.part, b.part);
       measure_strip(a);
       measure_strip(b);
     }
@@ -318,12 +357,13 @@ class Nested {
     std::copy(right.begin(), right.end(), u.begin() + row_nodes);
     same_v.fill(v);
     integrand_.points(panel, u.data(), same_v.data(), w.data(), 2 * row_nodes);
+    const bool edged = integrand_.panels()[static_cast<std::size_t>(panel)].edged;
     evaluations_ += 2 * row_nodes;
     measure(nodes_, w.data(), a);
     measure(nodes_, w.data() + row_nodes, b);
     const Surprise change = surprise(parent.value, parent.error, parent.magnitude, a.value + b.value);
-    a.error = change.raised(a.error);
-    b.error = change.raised(b.error);
+    if (edged) keep_hidden(parent, hidden_end(nodes_), a, b);
+    for (Part* half : {&a, &b}) half->error = std::max(change.raised(half->error), half->hidden[0] + half->hidden[1]);
     row.parts[index] = a;
     row.parts.push_back(b);
     row.sum();

@@ -69,7 +69,8 @@ struct Sequence {
     known = std::min(known + 1, 4);
   }
 
-  [[nodiscard]] double error(double magnitude) const {
+  /// @param edged then changes that shrink fast do so by chance
+  [[nodiscard]] double error(double magnitude, bool edged) const {
     if (known < 2) return std::numeric_limits<double>::infinity();
     const double now = std::abs(last[0] - last[1]);
     if (now <= noise * magnitude) return 0;  // counted as rounding, once for all
@@ -77,7 +78,7 @@ struct Sequence {
     constexpr double power = 1.5, part = 1e-3;
     const double before = std::abs(last[1] - last[2]), first = std::abs(last[2] - last[3]);
     const auto foreseen = [&](double change) { return magnitude * std::pow(change / magnitude, power); };
-    const bool analytic = known == 4 && now <= foreseen(before) && before <= foreseen(first);
+    const bool analytic = !edged && known == 4 && now <= foreseen(before) && before <= foreseen(first);
     return analytic ? std::max(now, part * before) : 8 * now + before / 4;
   }
 };
@@ -89,7 +90,7 @@ struct Row {
   double value = 0, error = 0, magnitude = 0;
   Sequence sequence{};
 
-  void add_level(const double* values) {
+  void add_level(const double* values, bool edged) {
     const Level& nodes = level_of(++level);
     for (std::size_t i = 0; i < nodes.weight.size(); ++i) {
       sum += nodes.weight[i] * values[i];
@@ -98,7 +99,7 @@ struct Row {
     value = std::ldexp(sum, -level);
     magnitude = std::ldexp(absolute, -level);
     sequence.add(value);
-    error = sequence.error(magnitude);
+    error = sequence.error(magnitude, edged);
   }
 };
 
@@ -137,6 +138,7 @@ class Nested {
   }
 
  private:
+  [[nodiscard]] const Panel& panel_at(int panel) const { return integrand_.panels()[static_cast<std::size_t>(panel)]; }
   [[nodiscard]] bool affordable(std::int64_t count) const { return evaluations_ + count <= options_.budget; }
 
   /// Adds the rows of the next step over v, each with the first steps over u.
@@ -152,8 +154,8 @@ class Nested {
       integrand_.grid(table.panel, along.position.data(), width, nodes.position.data(), count, values_.data());
       evaluations_ += std::int64_t{width} * count;
       for (int j = 0; j < count; ++j) {
-        table.rows[begin + static_cast<std::size_t>(j)].add_level(values_.data() +
-                                                                  static_cast<std::ptrdiff_t>(j) * width);
+        table.rows[begin + static_cast<std::size_t>(j)].add_level(
+            values_.data() + static_cast<std::ptrdiff_t>(j) * width, panel_at(table.panel).edged);
       }
     }
     table.rows_done = false;
@@ -177,8 +179,9 @@ class Nested {
     table.value = sequence.last[0];
     table.magnitude = std::ldexp(magnitude, -table.level);
     table.rows_error = std::ldexp(rows_error, -table.level);
-    const bool layered = integrand_.panels()[static_cast<std::size_t>(table.panel)].layered;
-    table.error = sequence.error(table.magnitude) * (layered ? 8 : 1);  // layers may lie between the nodes
+    const Panel& panel = panel_at(table.panel);
+    table.error =
+        sequence.error(table.magnitude, panel.edged) * (panel.layered ? 8 : 1);  // layers may lie between the nodes
     notice_features(table);
   }
 
@@ -192,7 +195,7 @@ class Nested {
   /// Whether a feature is narrower than the distance of nodes along v, or along u in a row that passes it.
   void notice_features(Table& table) const {
     table.hides_feature = table.hides_between_rows = false;
-    for (const Feature& f : integrand_.panels()[static_cast<std::size_t>(table.panel)].features) {
+    for (const Feature& f : panel_at(table.panel).features) {
       if (spacing(f.v, table.level) > f.width_v) table.hides_between_rows = true;
       for_rows_at(table, f, [&](const Row& row) {
         if (spacing(f.u, row.level) > f.width_u) table.hides_feature = true;
@@ -265,7 +268,7 @@ class Nested {
     const double wanted = share * target_ / static_cast<double>(tables_.size());
     const int most = std::min(most_halvings, table.level + ahead);
     std::vector<int> needed(table.rows.size(), 0);
-    for (const Feature& f : integrand_.panels()[static_cast<std::size_t>(table.panel)].features) {
+    for (const Feature& f : panel_at(table.panel).features) {
       for_rows_at(table, f, [&](const Row& row) {
         int& level = needed[static_cast<std::size_t>(&row - table.rows.data())];
         while (level < most_halvings && spacing(f.u, level) > f.width_u) ++level;
@@ -296,7 +299,7 @@ class Nested {
       values_.resize(nodes.position.size());
       integrand_.grid(panel, nodes.position.data(), count, &v, 1, values_.data());
       evaluations_ += count;
-      row.add_level(values_.data());
+      row.add_level(values_.data(), panel_at(panel).edged);
     }
     return true;
   }

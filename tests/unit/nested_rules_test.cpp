@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include "unit/integrands.hpp"
@@ -70,6 +71,38 @@ TEST(NestedRules, RowsErrorsAreIncluded) {
     for (const double tolerance : {1e-3, 1e-5, 1e-7}) {
       const Estimate e = rule.rule(f, {.tolerance = tolerance, .budget = 300'000});
       EXPECT_LE(std::abs(e.value - exact), e.error) << rule.name << ", tolerance " << tolerance;
+    }
+  }
+}
+
+/// Edges that are announced: also where one lies just beside a place that the rule divides at.
+TEST(NestedRules, AnnouncedEdgesAreNeverBelievedTooEarly) {
+  const std::vector<NamedRule> all{{"kronrod", kronrod}, {"cubature", cubature}};
+  std::vector<Panel> panels{{{AxisKind::interval, 8}, {AxisKind::interval, 8}}};
+  panels.front().edged = panels.front().layered = true;
+  for (const double place : {0.2, 0.25, 0.5, 0.75, 1.0 / 3, 0.98}) {
+    for (const double beside : {0.0, 1e-4, 1e-3, -1e-3, 4e-3}) {
+      for (const double slant : {0.0, 0.01, -0.3, 1.0}) {
+        const auto edge = [&](double u) { return place + beside + slant * u; };
+        const auto inside = [&](double u) { return std::clamp(edge(u), 0.0, 1.0); };
+        // ∫ inside du, exact: the trapezoidal rule between where the edge enters and leaves
+        double exact = inside(0);
+        if (slant != 0) {
+          const double enters = std::clamp((0 - place - beside) / slant, 0.0, 1.0),
+                       leaves = std::clamp((1 - place - beside) / slant, 0.0, 1.0);
+          const double a = std::min(enters, leaves), b = std::max(enters, leaves);
+          exact = a * inside(a / 2) + (b - a) * (inside(a) + inside(b)) / 2 + (1 - b) * inside((1 + b) / 2);
+        }
+        const Formula<double> f([&](int, double u, double v) { return v < edge(u) ? 1.0 : 0.0; }, panels);
+        for (const NamedRule& rule : all) {
+          for (const double tolerance : {1e-2, 1e-4}) {
+            const Estimate e = rule.rule(f, {.tolerance = tolerance, .budget = 50'000});
+            if (e.status != Status::converged) continue;
+            EXPECT_LE(std::abs(e.value - exact), e.error)
+                << rule.name << ", edge at " << place << " + " << beside << " + " << slant << " u";
+          }
+        }
+      }
     }
   }
 }

@@ -13,8 +13,9 @@ namespace albedo {
 /// integrated to a tenth of what is asked for, and their errors are part of the reported error. Nothing is believed
 /// before the intervals of v are no wider than four widths of the panel's features in them, or than their distance from
 /// those beside them; rows near a feature are divided likewise.
-/// A jump of the integrand that cuts off a corner between the first look's nodes isn't seen (kinks there don't matter).
-/// A budget of less than 315 points a panel is answered with an infinite error and no evaluations.
+/// In a panel with an edge inside, an interval also answers for what an edge may hide between its outermost nodes and
+/// its ends; a jump that isn't announced so and cuts off a corner between the nodes isn't seen. A budget of less than
+/// 315 points a panel is answered with an infinite error and no evaluations.
 Estimate kronrod(const Integrand<double>& integrand, const RuleOptions& options);
 
 }  // namespace albedo

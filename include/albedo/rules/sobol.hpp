@@ -8,7 +8,8 @@
 namespace albedo {
 
 /// Randomised quasi-Monte Carlo: the first 2^k points of Sobol's sequence in each panel, in `replicate_count`
-/// independent Owen scrambles. The error is the standard error of their mean (one sigma, 15 degrees of freedom).
+/// independent Owen scrambles. The error is the standard error of their mean (one sigma, 15 degrees of freedom), or a
+/// quarter of what it was for half of the points where that is larger.
 ///
 /// Every scramble is a nested permutation of the binary digits [Owen 1995] by a hash of the digits before
 /// [Laine & Karras 2011, sect. 3; Burley 2020], keyed by a counter-based stream (Philox4x32-10) of seed, replicate and
