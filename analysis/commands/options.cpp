@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/suggestion.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/input/value.hpp"
 
@@ -21,9 +22,15 @@ struct Name {
 template <class E>
 Name(std::string_view, E) -> Name<E>;
 
-constexpr std::array rule_names{Name{"gauss", Rule::gauss}, Name{"cubature", Rule::cubature},
-                                Name{"stratified", Rule::stratified}};
-constexpr std::array warp_names{Name{"lobe", Warp::lobe}, Name{"hemisphere", Warp::hemisphere}};
+constexpr std::array rule_names{Name{"gauss", Rule::gauss},
+                                Name{"cubature", Rule::cubature},
+                                Name{"kronrod", Rule::kronrod},
+                                Name{"tanh_sinh", Rule::tanh_sinh},
+                                Name{"stratified", Rule::stratified},
+                                Name{"sobol", Rule::sobol},
+                                Name{"monte_carlo", Rule::monte_carlo}};
+constexpr std::array warp_names{Name{"lobe", Warp::lobe}, Name{"hemisphere", Warp::hemisphere},
+                                Name{"paper", Warp::paper}};
 constexpr std::array precision_names{Name{"double", Precision::float64}, Name{"float", Precision::float32},
                                      Name{"quad", Precision::quad}};
 
@@ -41,7 +48,9 @@ void add_choice(CLI::App& command, const std::string& option, const Names& names
   const auto set = [&names, &target, option, valid](const std::string& text) {
     const auto found = std::ranges::find_if(names, [&](const auto& entry) { return entry.name == text; });
     if (found == names.end()) {
-      throw ParameterError(option + " is '" + text + "' and must be one of " + joined(valid, ", "));
+      const std::string close = suggestion(text, valid);
+      throw ParameterError(option + " is '" + text + "' and must be one of " + joined(valid, ", ") +
+                           (close.empty() ? "" : "; did you mean '" + close + "'?"));
     }
     target = found->value;
   };
@@ -69,7 +78,7 @@ CLI::Option* add_integer(CLI::App& command, const std::string& option, Integer& 
 }  // namespace
 
 AlbedoOptions ComputeOptions::albedo() const {
-  const double usual = rule == Rule::stratified ? 1e-4 : 1e-8;
+  const double usual = is_monte_carlo(rule) ? 1e-4 : 1e-8;
   return {.rule = rule,
           .warp = warp,
           .precision = precision,
@@ -83,13 +92,13 @@ void ComputeOptions::describe(nlohmann::ordered_json& object) const {
   object["warp"] = name_of(warp_names, warp);
   object["tolerance"] = albedo().tolerance;
   object["precision"] = name_of(precision_names, precision);
-  if (rule == Rule::stratified) object["seed"] = seed;
+  if (is_monte_carlo(rule)) object["seed"] = seed;
 }
 
 void add_compute_options(CLI::App& command, ComputeOptions& options) {
   add_choice(command, "--rule", rule_names, options.rule, "where the points are");
   add_choice(command, "--warp", warp_names, options.warp,
-             "the map they are taken through: the lobe's exact domain or all of V");
+             "the map they are taken through: the lobe's exact domain, all of V, or the sampling of the model's paper");
   command
       .add_option_function<std::string>(
           "--tolerance",
@@ -99,14 +108,14 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
               throw ParameterError("--tolerance is " + text + " and must be within [1e-30, 1)");
             options.tolerance = value;
           },
-          "relative; default 1e-8, or 1e-4 for stratified")
+          "relative; default 1e-8, or 1e-4 for stratified, sobol and monte_carlo")
       ->type_name("REL");
   add_integer<std::int64_t>(command, "--budget", options.budget, 1, std::numeric_limits<std::int64_t>::max(),
                             "most evaluations for one direction")
       ->default_str(std::to_string(options.budget));
   add_choice(command, "--precision", precision_names, options.precision, "the arithmetic of the model's formula");
   add_integer<std::uint64_t>(command, "--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
-                             "of the stratified rule")
+                             "of the Monte Carlo rules")
       ->default_str(std::to_string(options.seed));
   add_integer(command, "--threads", options.threads, 1, 1024, "default: one a core");
   command.add_flag("--json", options.json, "print one JSON object");

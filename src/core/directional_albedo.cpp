@@ -8,11 +8,16 @@
 #include "albedo/core/errors.hpp"
 #include "albedo/rules/cubature.hpp"
 #include "albedo/rules/gauss.hpp"
+#include "albedo/rules/kronrod.hpp"
+#include "albedo/rules/monte_carlo.hpp"
+#include "albedo/rules/sobol.hpp"
 #include "albedo/rules/stratified.hpp"
+#include "albedo/rules/tanh_sinh.hpp"
 #include "albedo/warps/half_vector.hpp"
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
 #include "core/lobe_integrand.hpp"
+#include "core/paper_integrand.hpp"
 
 namespace albedo {
 namespace {
@@ -23,6 +28,10 @@ std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Dir
   const bool as_float = options.precision == Precision::float32;
   std::vector<std::unique_ptr<Integrand<Scalar<T>>>> parts;
   for (const Lobe& lobe : model.lobes()) {
+    if (options.warp == Warp::paper) {
+      parts.push_back(std::make_unique<PaperIntegrand<T>>(model, lobe, l, options.tolerance, as_float));
+      continue;
+    }
     const LobeShape shape = options.warp == Warp::hemisphere ? LobeShape::cosine : lobe.shape;
     switch (shape) {
       case LobeShape::cosine:
@@ -58,6 +67,26 @@ Estimate believed(Estimate estimate, const Integrand<S>& integrand) {
   return estimate;
 }
 
+Estimate applied(Rule rule, const Integrand<double>& integrand, const RuleOptions& options) {
+  switch (rule) {
+    case Rule::gauss:
+      return rounded(gauss(integrand, options));
+    case Rule::cubature:
+      return cubature(integrand, options);
+    case Rule::kronrod:
+      return kronrod(integrand, options);
+    case Rule::tanh_sinh:
+      return tanh_sinh(integrand, options);
+    case Rule::stratified:
+      return stratified(integrand, options);
+    case Rule::sobol:
+      return sobol(integrand, options);
+    case Rule::monte_carlo:
+      break;
+  }
+  return monte_carlo(integrand, options);
+}
+
 Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& options) {
   const RuleOptions rule{options.tolerance, options.budget, options.seed};
   if (options.precision == Precision::quad && options.rule == Rule::gauss) {
@@ -67,10 +96,7 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
   const std::unique_ptr<Integrand<double>> integrand =
       options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
                                            : integrand_of<Block>(model, l, options);
-  const Estimate estimate = options.rule == Rule::gauss      ? rounded(gauss(*integrand, rule))
-                            : options.rule == Rule::cubature ? cubature(*integrand, rule)
-                                                             : stratified(*integrand, rule);
-  return believed(estimate, *integrand);
+  return believed(applied(options.rule, *integrand, rule), *integrand);
 }
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
@@ -103,6 +129,14 @@ Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions opt
   return limit;
 }
 
+void require_samplers(const Model& model) {
+  for (const Lobe& lobe : model.lobes()) {
+    if (model.has_sampler(lobe.component)) continue;
+    throw ParameterError("warp is 'paper' and " + model.info().name +
+                         " has no sampler for one of its lobes: it must be 'lobe' or 'hemisphere'");
+  }
+}
+
 }  // namespace
 
 Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
@@ -114,6 +148,7 @@ Estimate directional_albedo(const Model& model, const Direction& l, const Albedo
   if (options.budget < 1)
     throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
   if (model.lobes().empty()) return {};
+  if (options.warp == Warp::paper) require_samplers(model);
   constexpr double grazing = 1e-60;  // no angle in degrees comes closer without being 90
   return l.cos_theta > grazing ? integrate(model, l, options) : grazing_limit(model, l, options);
 }

@@ -8,6 +8,7 @@
 #include "albedo/core/integrand.hpp"
 #include "albedo/core/model.hpp"
 #include "albedo/warps/sample.hpp"
+#include "core/as_float.hpp"
 
 namespace albedo {
 
@@ -96,21 +97,9 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
 
   T value(const Sample<T>& sample) const {
     if constexpr (blocks) {
-      if (as_float_) return value_as_float(sample);
+      if (as_float_) return evaluate_as_float(model_, component_, sample.pair) * sample.weight;
     }
     return model_.evaluate(component_, sample.pair) * sample.weight;
-  }
-
-  /// The formula as a shader would evaluate it, on pairs rounded to float.
-  Block value_as_float(const Sample<Block>& sample) const {
-    const DirectionPair<Block>& p = sample.pair;
-    return Block::generate([&](int lane) {
-      auto at = [lane](const Block& b) { return static_cast<float>(b[lane]); };
-      const DirectionPair<float> pair{at(p.cos_theta_l), at(p.cos_theta_v), at(p.l_x),         at(p.l_y),
-                                      at(p.v_x),         at(p.v_y),         at(p.cos_theta_d), at(p.cos_theta_h),
-                                      at(p.slope_x),     at(p.slope_y),     at(p.axis_gap)};
-      return static_cast<double>(model_.evaluate(component_, pair)) * sample.weight[lane];
-    });
   }
 
   const Model& model_;

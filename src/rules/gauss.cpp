@@ -137,6 +137,7 @@ class ProductRule {
       cell.u.order = std::clamp(cell.u.order, 4, most_checked(cell.u.kind));
       cell.v.order = std::clamp(cell.v.order, 4, most_nodes(cell.v.kind) / 4);
       cell.rough = panel.layered;
+      if (!allows(std::int64_t{cell.u.order} * cell.v.order)) return unaffordable();
       measure(cell);
       cells_.push_back(std::move(cell));
     }
@@ -226,6 +227,11 @@ class ProductRule {
     integrand_.grid(cell.panel, positions_u_.data(), static_cast<int>(positions_u_.size()), positions_v_.data(),
                     static_cast<int>(count_v), values_.data());
     evaluations_ += static_cast<std::int64_t>(values_.size());
+  }
+
+  /// Nothing is known where not every panel could be looked at.
+  [[nodiscard]] EstimateIn<S> unaffordable() const {
+    return {S(0), std::numeric_limits<S>::infinity(), evaluations_, Status::budget_exhausted};
   }
 
   static void scale(Resolution<S>& along, const S& area) {

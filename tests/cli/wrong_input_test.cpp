@@ -64,8 +64,11 @@ INSTANTIATE_TEST_SUITE_P(
         at({"ward", "--tolerance", "nan"}, "--tolerance: 'nan'"), at({"ward", "--budget", "0"}, "--budget is '0'"),
         at({"ward", "--budget", "1e3"}, "--budget is '1e3'"), at({"ward", "--threads", "0"}, "within [1, 1024]"),
         at({"ward", "--threads", "1025"}, "within [1, 1024]"), at({"ward", "--seed", "-1"}, "--seed is '-1'"),
-        at({"ward", "--rule", "simpson"}, "--rule is 'simpson' and must be one of gauss, cubature, stratified"),
-        at({"ward", "--warp", "polar"}, "one of lobe, hemisphere"),
+        at({"ward", "--rule", "simpson"},
+           "--rule is 'simpson' and must be one of gauss, cubature, kronrod, tanh_sinh, stratified, "
+           "sobol, monte_carlo"),
+        at({"ward", "--rule", "kronord"}, "did you mean 'kronrod'?"),
+        at({"ward", "--warp", "polar"}, "one of lobe, hemisphere, paper"),
         at({"ward", "--precision", "half"}, "one of double, float, quad"),
         at({"ward", "--tolerence", "1e-3"}, "did you mean '--tolerance'?"),
         at({"ward", "--assert", "max=1"}, "at character 4"),

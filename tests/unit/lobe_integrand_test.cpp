@@ -1,4 +1,4 @@
-#include "../../src/core/lobe_integrand.hpp"
+#include "core/lobe_integrand.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 
 #include "albedo/core/direction.hpp"
 #include "albedo/core/lobe.hpp"
+#include "albedo/core/sampled.hpp"
 
 namespace albedo {
 
@@ -85,6 +86,19 @@ class Model {
   [[nodiscard]] virtual double evaluate(int component, const DirectionPair<double>& pair) const noexcept = 0;
   [[nodiscard]] virtual float evaluate(int component, const DirectionPair<float>& pair) const noexcept = 0;
   [[nodiscard]] virtual Quad evaluate(int component, const DirectionPair<Quad>& pair) const = 0;
+
+  /// Whether lobe `component` has a published way to draw V for a given L; sample and density answer NaN otherwise.
+  [[nodiscard]] virtual bool has_sampler(int /*component*/) const noexcept { return false; }
+  /// The V that lobe `component`'s sampler makes of a point (u, v) of the unit square.
+  [[nodiscard]] virtual Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
+                                              const Block& v) const noexcept;
+  [[nodiscard]] virtual Sampled<double> sample(int component, const UnitVector<double>& l, double u,
+                                               double v) const noexcept;
+  [[nodiscard]] virtual Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
+                                             const Quad& v) const;
+  /// The density [1/sr] with which that sampler draws V; ∫ density dω_V = 1 over the whole sphere.
+  [[nodiscard]] virtual double density(int component, const UnitVector<double>& l,
+                                       const UnitVector<double>& v) const noexcept;
 
  protected:
   Model() = default;

@@ -3,6 +3,7 @@
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -70,6 +71,18 @@ struct AshikhminShirley {
   template <class T>
   static T rise(const T& x) noexcept {
     return x * (5 + x * (-10 + x * (10 + x * (-5 + x))));
+  }
+
+  /// Half vectors of eq. 5 [eqs. 17–20]; both diffuse parts: cosine-weighted.
+  template <class T>
+  Sampled<T> sample(int component, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    if (component != 0) return sample_cosine(l, u, v);
+    return sample_power(l, n_u, n_v, u, v);
+  }
+  template <class T>
+  T density(int component, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    if (component != 0) return cosine_density(v);
+    return power_density(half_vector_pair(l, v), n_u, n_v);
   }
 };
 
