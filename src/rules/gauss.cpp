@@ -112,7 +112,7 @@ struct Cell {
   int extensions = 0;     // of the rule along v
   std::vector<S> rows{};  // the rule along u at each node of v
   S value{}, magnitude{};
-  S doubt{};  // mean of the rays' tails
+  S doubt{};  // mean of the rays'
   Resolution<S> along_u{}, along_v{};
   std::vector<Probe<S>> probes{};
   S error_u = std::numeric_limits<S>::infinity(), error_v = std::numeric_limits<S>::infinity();
@@ -153,7 +153,8 @@ class ProductRule {
       const S size = estimate.value < 0 ? S(-estimate.value) : estimate.value;
       const auto worst = std::max_element(cells_.begin(), cells_.end(),
                                           [](const auto& a, const auto& b) { return a.error() < b.error(); });
-      const S share = std::max<S>(S(options_.tolerance) * size / S(8 * cells_.size()), std::numeric_limits<S>::min());
+      const S rounding = 2 * std::numeric_limits<S>::epsilon() * worst->magnitude;
+      const S share = std::max<S>(S(options_.tolerance) * size / S(8 * cells_.size()), rounding);
       if (!improve(*worst, share)) return estimate;
     }
   }
@@ -182,7 +183,7 @@ class ProductRule {
     columns_.assign(count_u, S(0));
     sizes_.assign(count_u, S(0));
     doubt_.resize(count_v - first);
-    S weight = 0, doubt = 0;
+    S weight = 0, mean_doubt = 0;
     for (std::size_t j = first; j < count_v; ++j) {
       const S* row = values_.data() + (j - first) * count_u;
       if (first == 0) {
@@ -192,9 +193,9 @@ class ProductRule {
         }
       }
       cell.rows[j] = dot(nu.weight.data(), row, count_u);
-      doubt_[j - first] = tail(nu, row);
+      doubt_[j - first] = doubt(nu, row);
       weight += nv.weight[j];
-      doubt += nv.weight[j] * doubt_[j - first];
+      mean_doubt += nv.weight[j] * doubt_[j - first];
     }
     cell.value = area * dot(nv.weight.data(), cell.rows.data(), count_v);
     cell.along_v = resolution(nv, cell.rows);
@@ -206,10 +207,10 @@ class ProductRule {
       cell.hides_feature = hides_feature(integrand_.panels()[static_cast<std::size_t>(cell.panel)], cell.begin_u,
                                          cell.begin_v, cell.width_u, cell.width_v, cell.divide_u);
     }
-    doubt /= weight;
+    mean_doubt /= weight;
     // what takes a second extension, or has harder rays than those that have been checked, is checked again
-    if (first == 0 || cell.extensions > 1 || doubt > 2 * cell.doubt) {
-      cell.doubt = doubt;
+    if (first == 0 || cell.extensions > 1 || mean_doubt > 2 * cell.doubt) {
+      cell.doubt = mean_doubt;
       cell.probes = probes(cell, nu, nv, first, area / weight);
       cell.error_u = std::numeric_limits<S>::infinity();
     }
@@ -239,43 +240,48 @@ class ProductRule {
     along.log_last += std::log(static_cast<double>(area));
   }
 
-  /// The largest of the last three coefficients of one ray: how much its sum is to be doubted.
-  static S tail(const Nodes<S>& nodes, const S* values) {
-    const std::size_t n = nodes.position.size();
+  /// How much a ray's sum is to be doubted, in some unit: its error falls about like the square of the coefficients at
+  /// three quarters of the order.
+  static S doubt(const Nodes<S>& nodes, const S* values) {
+    const std::size_t n = nodes.position.size(), first = n * 3 / 4;
     S largest = 0;
-    for (std::size_t k = n - std::min<std::size_t>(n, 3); k < n; ++k) {
-      const S coefficient = dot(nodes.transform.data() + k * n, values, n);
-      largest = std::max<S>(largest, coefficient < 0 ? S(-coefficient) : coefficient);
+    for (std::size_t k = first; k < std::min(first + 3, n); ++k) {
+      largest = std::max<S>(largest, square(dot(nodes.transform.data() + k * n, values, n)));
     }
     return largest;
   }
 
-  /// Divides the rays from the given one on into groups of equal doubt; the most doubtful of a group stands for it.
+  /// The outermost of the rays from the given one on, where special directions are, and the most doubtful one of each
+  /// of a few groups of equal doubt.
   std::vector<Probe<S>> probes(const Cell<S>& cell, const Nodes<S>& nu, const Nodes<S>& nv, std::size_t first,
                                const S& scale) const {
-    const std::size_t n = doubt_.size(), count = std::clamp<std::size_t>(n / 3, 2, 4);
+    const std::size_t n = doubt_.size(), groups = std::clamp<std::size_t>(n / 4, 1, 3);
     const S largest = *std::max_element(doubt_.begin(), doubt_.end());
-    const S least = largest > 0 ? S(largest / 1000) : S(1);
-    const S* weight = nv.weight.data() + first;
-    S whole = 0;
+    S size = 0;
+    for (const S& row : cell.rows) size = std::max<S>(size, row < 0 ? S(-row) : row);
+    const S noise = 16 * S(nu.terms) * std::numeric_limits<S>::epsilon() * size;  // of a coefficient
+    const S least = largest > 0 ? std::max<S>(largest / 1000, square(noise)) : S(1);
+    const S *weight = nv.weight.data() + first, *place = nv.position.data() + first;
+    const auto [lowest, highest] = std::minmax_element(place, place + n);
+    std::vector<std::size_t> chosen{static_cast<std::size_t>(lowest - place)};
+    if (highest != lowest) chosen.push_back(static_cast<std::size_t>(highest - place));
+    S whole = 0, sum = 0;
     for (std::size_t i = 0; i < n; ++i) whole += weight[i] * (doubt_[i] + least);
+    std::size_t group = 0, best = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const S share = weight[i] * (doubt_[i] + least);
+      if (i == best || share > weight[best] * (doubt_[best] + least)) best = i;
+      sum += share;
+      if (sum * S(groups) < whole * S(group + 1) && i + 1 < n) continue;
+      if (std::find(chosen.begin(), chosen.end(), best) == chosen.end()) chosen.push_back(best);
+      ++group;
+      best = i + 1;
+    }
     std::vector<Probe<S>> result;
-    S before = 0;
-    for (std::size_t i = 0; i < n;) {
-      S sum = 0, most = -1;
-      std::size_t chosen = i;
-      do {
-        const S share = weight[i] * (doubt_[i] + least);
-        if (share > most) most = share, chosen = i;
-        sum += share;
-        ++i;
-      } while (i < n && before + sum < whole * S(result.size() + 1) / S(count));
-      before += sum;
-      const S* values = values_.data() + chosen * nu.position.size();
-      result.push_back({nv.position[first + chosen],
-                        {values, values + nu.position.size()},
-                        cell.rows[first + chosen],
-                        scale * whole / (doubt_[chosen] + least)});
+    for (const std::size_t i : chosen) {
+      const S* values = values_.data() + i * nu.position.size();
+      result.push_back(
+          {place[i], {values, values + nu.position.size()}, cell.rows[first + i], scale * whole / (doubt_[i] + least)});
     }
     return result;
   }
@@ -297,7 +303,7 @@ class ProductRule {
       ratio = std::max<S>(ratio, probe.factor * (change < 0 ? S(-change) : change));
     }
     cell.error_u = ratio;
-    constexpr int rough = 4;
+    constexpr int rough = 8;
     if (cell.rough) cell.error_u *= rough;
     if (cell.u.kind == AxisKind::interval && above_noise(cell, cell.along_u) && cell.along_u.slow(cell.u.order))
       cell.error_u = std::max(cell.error_u, cell.along_u.reading);
@@ -358,7 +364,7 @@ class ProductRule {
     // a measured error corrects the prediction
     const double surplus = isfinite(error) ? static_cast<double>(log(error)) - now.log_error(order) : 0;
     const double wanted = static_cast<double>(log(target)) - surplus;
-    const int reach = std::min(most, 2 * order);
+    const int reach = std::min(most, isfinite(error) ? order * 3 / 2 : 2 * order);
     int next = order + 1;
     while (next < reach && now.log_error(next) > wanted) ++next;
     const bool hopeless = now.log_error(2.0 * most) > wanted;
@@ -381,7 +387,8 @@ class ProductRule {
   bool improve(Cell<S>& cell, const S& share) {
     const bool checked = isfinite(cell.error_u);
     if (checked && cell.error_u > share && !(cell.error_u < cell.error_v && affordable(share))) {
-      const int order = raised(cell.u.order, most_checked(cell.u.kind), cell.along_u, cell.error_u, share);
+      const S margin = S(8 << cell.extensions);  // another miss would cost all of the rays again
+      const int order = raised(cell.u.order, most_checked(cell.u.kind), cell.along_u, cell.error_u, share / margin);
       if (order == 0) return bisect(cell, true);
       if (!allows(order * static_cast<std::int64_t>(cell.rows.size()))) return false;
       cell.u.order = order;

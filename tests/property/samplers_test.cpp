@@ -167,7 +167,8 @@ TEST_P(Samplers, DirectionsFollowTheDensity) {
   EXPECT_GT(tested, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Battery, Samplers, ::testing::ValuesIn(battery::model_names()), battery::instance_name);
+INSTANTIATE_TEST_SUITE_P(Battery, Samplers, ::testing::ValuesIn(battery::sampled_model_names()),
+                         battery::instance_name);
 
 /// Walter's weight (eq. 10) and Kurt's (eq. 21) are what the warp makes of their models.
 TEST(PaperWarp, WeightsAreThePapers) {

@@ -12,11 +12,16 @@ namespace albedo {
 ///     f = k_s √((n_u+1)(n_v+1))/(8π) (N·H)^(n_u cos²φ_H + n_v sin²φ_H) F(L·H) / (L·H max(N·L, N·V))
 ///       + 28 r_d/(23π) (1 − r_s)(1 − (1 − N·L/2)⁵)(1 − (1 − N·V/2)⁵) + k_d/π
 ///
-/// with Schlick's F from r_s. The scale k_s and the Lambertian part k_d are not the paper's; published fits need them.
+/// with Schlick's F from r_s. normalization=projected has √((n_u+2)(n_v+2)), for which it is the integral of the
+/// distribution times N·H that is 1 [Pharr & Humphreys 2004]; the paper's own makes the distribution a density. The
+/// scale k_s and the Lambertian part k_d are not the paper's; published fits need them.
 struct AshikhminShirley {
+  enum class Normalization { paper, projected };
+
   double n_u = 100, n_v = 100;
   double r_s = 1, r_d = 0;
   double k_s = 1, k_d = 0;
+  Normalization normalization = Normalization::paper;
 
   static ModelInfo info() {
     return {.name = "ashikhmin_shirley",
@@ -32,7 +37,9 @@ struct AshikhminShirley {
             reflectance<M, &M::r_s>("r_s", "specular reflectance at normal incidence (Schlick)"),
             reflectance<M, &M::r_d>("r_d", "reflectance of the paper's diffuse part"),
             reflectance<M, &M::k_s>("k_s", "scale of the specular lobe", scale_range),
-            reflectance<M, &M::k_d>("k_d", "albedo of an added Lambertian part")};
+            reflectance<M, &M::k_d>("k_d", "albedo of an added Lambertian part"),
+            choice<M, &M::normalization>("normalization", {"paper", "projected"},
+                                         "of the distribution: (n+1), a density; or (n+2), a height field's")};
   }
 
   [[nodiscard]] Claims claims() const { return {.conserves_energy = k_s <= 1 && k_d == 0, .isotropic = n_u == n_v}; }
@@ -57,7 +64,8 @@ struct AshikhminShirley {
     const T exponent = (T(n_u) * square(d.slope_x) + T(n_v) * square(d.slope_y)) / tan2;
     const T lobe = exp(-exponent * log1p(tan2) / 2);
     const Fresnel fresnel{.f0 = r_s};
-    return T(k_s * std::sqrt((n_u + 1) * (n_v + 1))) / (8 * pi<T>)*lobe * fresnel(d.cos_theta_d) /
+    const double add = normalization == Normalization::paper ? 1 : 2;
+    return T(k_s * std::sqrt((n_u + add) * (n_v + add))) / (8 * pi<T>)*lobe * fresnel(d.cos_theta_d) /
            (d.cos_theta_d * max(d.cos_theta_l, d.cos_theta_v));
   }
 

@@ -43,6 +43,10 @@ class HalfVectorWarp {
     stretch_ = profile_ == Profile::ggx || (profile_ == Profile::gaussian && widest_ * cut_ > 2);
     horizon_exponent_ = lobe.horizon_exponent;
     horizon_layer_ = lobe.horizon_layer && std::min(lobe.width_x, lobe.width_y) < 0.3;
+    // Smith's Λ has a cone at V = N, rounded over an angle of 1/α: a point inside the domain of wide lobes
+    const double widest = std::max(lobe.width_x, lobe.width_y);
+    const bool cone = lobe.horizon_layer && widest >= (profile_ == Profile::ggx ? 1.5 : 0.3);
+    rough_ = cone || (horizon_layer_ && alpha_x_ != alpha_y_);
     digits_ = -std::log10(tolerance);
     split(lobe);
   }
@@ -334,7 +338,7 @@ class HalfVectorWarp {
         radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
       }
       panels_.push_back({radial, {kind, azimuth_order(kind, extent, edges.size() > 2)}, {}});
-      panels_.back().layered = horizon_layer_ && alpha_x_ != alpha_y_;
+      panels_.back().layered = rough_;
     }
   }
 
@@ -383,7 +387,7 @@ class HalfVectorWarp {
     const double grazing = -std::log(static_cast<double>(l_.z));
     if (profile_ == Profile::ggx) {  // the tail's length, in decades
       const double decades = std::asinh(1 / static_cast<double>(min(alpha_x_, alpha_y_)));
-      nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.2 * grazing + (widest_ > 1.5 ? 22 : 0);
+      nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.6 * grazing + (widest_ > 1.5 ? 22 : 0);
       if (alpha_x_ != alpha_y_) nodes *= 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
       nodes = ends.right == 3 ? 31 : ends.left > 1 ? 26 : 21;
@@ -408,6 +412,7 @@ class HalfVectorWarp {
   double truncation_ = 0;
   double horizon_exponent_ = 1;
   bool horizon_layer_ = false;
+  bool rough_ = false;
   double digits_ = 8;
   std::vector<Part> parts_;
   std::vector<Panel> panels_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "albedo/warps/sample.hpp"
 #include "albedo/warps/turn.hpp"
@@ -10,6 +11,8 @@ namespace albedo {
 
 /// All directions V by their polar angle and azimuth. For any lobe but a diffuse one the hemisphere is divided at its
 /// axis, and the axis is announced as a feature.
+///
+/// A diffuse lobe with a kink at equal cosines (Oren–Nayar) is divided there and at a quarter turn from L.
 template <class T>
 class HemisphereWarp {
   using S = Scalar<T>;
@@ -28,7 +31,11 @@ class HemisphereWarp {
     }
     const double digits = -std::log10(tolerance);
     if (lobe.shape == LobeShape::cosine) {
-      add({S(0), S(1), S(0), S(1)}, {8, 4});
+      if (lobe.kink_equal_cosines && l_planar > 0) {
+        split_at_kinks(digits);
+      } else {
+        add({S(0), S(1), S(0), S(1)}, {8, 4});
+      }
       return;
     }
     using std::atan2;
@@ -87,10 +94,21 @@ class HemisphereWarp {
     S weight = 0;
   };
 
+  void split_at_kinks(double digits) {
+    using std::atan2;
+    const int order = 2 + static_cast<int>(digits);
+    const S kink = S(2 * atan2(S(sqrt(square(l_.x) + square(l_.y))), l_.z) / pi<T>);
+    for (const auto& [from, to] : {std::pair{S(0), kink}, std::pair{kink, S(1)}}) {
+      add({from, to, S(0), S(0.5)}, {order, order});
+      add({from, to, S(0.5), S(1)}, {order, order});
+    }
+  }
+
   void add(Part part, const std::array<int, 2>& orders) {
     using std::abs;
     part.weight = (part.end - part.begin) * abs(part.turn1 - part.turn0) * square(pi<T>) / (symmetric_ ? 1 : 2);
-    const AxisKind kind = symmetric_ ? AxisKind::even_periodic : AxisKind::interval;
+    const AxisKind kind =
+        symmetric_ && abs(part.turn1 - part.turn0) == 1 ? AxisKind::even_periodic : AxisKind::interval;
     parts_.push_back(part);
     panels_.push_back({{AxisKind::interval, orders[0]}, {kind, orders[1]}});
   }

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+
+#include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/distribution.hpp"
+#include "albedo/microfacet/fresnel.hpp"
+#include "albedo/microfacet/masking.hpp"
+#include "albedo/microfacet/power_area.hpp"
+
+namespace albedo {
+
+/// Ashikhmin, Premože and Shirley's generator: any density p of facet normals, shadowed by the facets' own projected
+/// area,
+///
+///     f = p(H) ⟨N·H⟩ F / (4 g(L) g(V)),   g(K) = ∫ p(H) (H·K)₊ dω_H,   ⟨N·H⟩ = g(N),   ∫ p dω_H = 1
+///
+/// [Ashikhmin, Premože, Shirley 2000]. With p = D/∫D the area ∫D cancels: f = D F/(4 A(L) A(V)), A(K) = ∫ D (H·K)₊ =
+/// N·K (1 + Λ(K)), which is Smith masking, separable. D is GGX's, Beckmann's, or the power (n+2)/(2π) (N·H)^n, n =
+/// 2/α².
+struct MicrofacetGenerator {
+  enum class Distribution { ggx, beckmann, power };
+
+  double alpha = 0.3;
+  Distribution distribution = Distribution::ggx;
+  Fresnel fresnel;
+  std::optional<PowerArea> power_area{};  ///< of a power distribution, made when the parameters are set
+
+  static ModelInfo info() {
+    return {.name = "microfacet_generator",
+            .title = "Microfacet generator, Ashikhmin–Premože–Shirley 2000",
+            .source = "Ashikhmin, Premože, Shirley 2000",
+            .deviation = "none known; the paper's text was not available"};
+  }
+  static std::vector<Parameter<MicrofacetGenerator>> parameters() {
+    using M = MicrofacetGenerator;
+    std::vector<Parameter<M>> own{
+        number<M, &M::alpha>("alpha", roughness_range, "roughness of the facets"),
+        choice<M, &M::distribution>("distribution", {"ggx", "beckmann", "power"}, "distribution of facet normals")};
+    own[0].set = [](M& m, double value) { m.alpha = value, m.tabulate(); };
+    own[1].set = [](M& m, double value) { m.distribution = static_cast<Distribution>(value), m.tabulate(); };
+    return with_fresnel<M>(std::move(own));
+  }
+
+  [[nodiscard]] Claims claims() const { return {}; }
+  [[nodiscard]] std::vector<Lobe> lobes() const {
+    Lobe lobe = distribution == Distribution::power
+                    ? power_lobe(0, exponent(), exponent())
+                    : slope_lobe(0, distribution == Distribution::ggx ? Profile::ggx : Profile::gaussian, alpha, alpha);
+    lobe.horizon_layer = true;
+    return {lobe};
+  }
+
+  template <class T>
+  T evaluate(int, const DirectionPair<T>& d) const noexcept {
+    return fresnel(d.cos_theta_d) * density(d) /
+           (4 * area(d.l_x, d.l_y, d.cos_theta_l) * area(d.v_x, d.v_y, d.cos_theta_v));
+  }
+
+  [[nodiscard]] double exponent() const { return 2 / (alpha * alpha); }
+  void tabulate() {
+    if (distribution == Distribution::power) power_area = PowerArea(exponent());
+  }
+
+  /// D(H)
+  template <class T>
+  T density(const DirectionPair<T>& d) const noexcept {
+    switch (distribution) {
+      case Distribution::ggx:
+        return ggx_distribution(d, alpha, alpha);
+      case Distribution::beckmann:
+        return albedo::beckmann(d, alpha, alpha);
+      case Distribution::power:
+        break;
+    }
+    return T(exponent() + 2) / (2 * pi<T>)*cos_theta_h_power(d, exponent());
+  }
+
+  /// A(K) of a direction (x, y, z).
+  template <class T>
+  T area(const T& x, const T& y, const T& z) const noexcept {
+    switch (distribution) {
+      case Distribution::ggx:
+        return (z + stretched_length(x, y, z, alpha, alpha)) / 2;
+      case Distribution::beckmann:
+        return z + beckmann_shadow(x, y, z, alpha, alpha);
+      case Distribution::power:
+        break;
+    }
+    return (*power_area)(z);
+  }
+};
+
+}  // namespace albedo
