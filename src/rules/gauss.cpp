@@ -321,7 +321,7 @@ class ProductRule {
     for (std::size_t j = 0; j < before.position.size(); ++j) sum += before.weight[j] * cell.rows[j];
     const S change = sum * area - cell.value;
     const S size = change < 0 ? S(-change) : change;
-    constexpr int rough = 16;
+    constexpr int rough = 8;
     const Resolution<S>& now = cell.along_v;
     const int terms = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions).terms;
     if (above_noise(cell, now) && now.slow(terms)) return std::max<S>(rough * size, now.reading);
