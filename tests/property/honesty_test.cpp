@@ -121,7 +121,8 @@ TEST(Cost, GaussAtEightDigits) {
   }
   EXPECT_LE(part(0.5).first, 1000);
   EXPECT_LE(part(0.99).first, 10'000) << part(0.99).second;
-  EXPECT_LE(part(1).first, 12'000) << part(1).second;  // ggx alpha=5: a cone at V = N inside of its domain
+  // the rim of Edwards's lump; the cone of ggx alpha=5 at V = N
+  EXPECT_LE(part(1).first, 13'000) << part(1).second;
   EXPECT_LE(costliest, 300'000);
 }
 

@@ -376,8 +376,8 @@ class HalfVectorWarp {
     if (horizon_layer_ && alpha_x_ != alpha_y_) order *= 3;
     if (profile_ == Profile::ggx && widest_ > 1.5) order += 2 * static_cast<int>(digits_);
     if (horizon_exponent_ < 0) order += order / 2;
-    if (kind == AxisKind::interval) order += 3;
-    return std::min(edged ? std::max(order, 5 + static_cast<int>(digits_)) : order, 128);
+    if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
+    return std::min(edged ? std::max(order, static_cast<int>(1.65 * digits_)) : order, 128);
   }
 
   /// What is needed at eight digits on a part from edge `begin` on, measured.
