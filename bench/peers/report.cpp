@@ -57,7 +57,7 @@ class Report {
 
   void baselines_table() const {
     out_ << "Median over the cases of the peer's time / the time of gauss (its error estimate included); the smallest "
-            "ratio; right cases\n\n";
+            "ratio; right cases\n";
     heading("against");
     for (const Baseline& baseline : baselines()) {
       const std::vector<Ratios> all = ratios(baseline, results_);
