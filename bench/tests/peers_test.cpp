@@ -76,7 +76,9 @@ void check_peer(const json& peer, double reference, double target) {
     EXPECT_TRUE(peer["asked"]["claims_converged"].get<bool>()) << peer;
     EXPECT_GT(peer["asked"]["true_error"].get<double>(), 10 * target) << peer;
   }
-  if (peer["coordinates"] == "lobe" && peer["library"] != "gsl" && target >= 1e-8) EXPECT_TRUE(peer["reached"]) << peer;
+  if (peer["coordinates"] == "lobe" && peer["library"] != "gsl" && target >= 1e-8) {
+    EXPECT_TRUE(peer["reached"]) << peer;
+  }
 }
 
 TEST(Peers, AccuracyColumnsAreRight) {
@@ -91,12 +93,14 @@ TEST(Peers, AccuracyColumnsAreRight) {
     Parameters parameters;
     for (const auto& [name, value] : one["parameters"].items()) parameters.emplace_back(name, value.get<double>());
     const std::unique_ptr<Model> model = make_model(one["model"].get<std::string>(), parameters);
-    // independent of gauss: adaptive boxes
-    const Estimate boxes = directional_albedo(*model, Direction::from_degrees(one["theta_deg"].get<double>()),
-                                              {.rule = Rule::cubature, .tolerance = 1e-9});
+    // another rule than the reference's, in another arithmetic
+    const Estimate nested = directional_albedo(*model, Direction::from_degrees(one["theta_deg"].get<double>()),
+                                               {.rule = Rule::kronrod, .tolerance = 1e-9});
     const double reference = one["reference"].get<double>();
-    EXPECT_NEAR(boxes.value, reference, boxes.error + 1e-12) << one["model"] << one["theta_deg"];
-    if (one["model"] == "phong" && one["theta_deg"] == 0) EXPECT_NEAR(reference, 1, 1e-13);  // Neumann 1999, eq. 22
+    EXPECT_NEAR(nested.value, reference, nested.error + 1e-12) << one["model"] << one["theta_deg"];
+    if (one["model"] == "phong" && one["theta_deg"] == 0) {
+      EXPECT_NEAR(reference, 1, 1e-13);  // Neumann 1999, eq. 22
+    }
     EXPECT_LE(one["reference_error"].get<double>(), 1e-13 * reference);
     ASSERT_EQ(one["targets"].size(), 4U);
     for (const json& target : one["targets"]) {
