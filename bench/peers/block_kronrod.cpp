@@ -60,11 +60,11 @@ class NestedKronrod {
     return answer.error > tolerance_ * std::abs(answer.value) && answer.error > share && !plane_.spent();
   }
 
-  static Answer sum(const double* values, double width) {
+  static Answer sum(const double* values, std::size_t pitch, double width) {
     double kronrod = 0, gauss = 0;
     for (std::size_t i = 0; i < order; ++i) {
-      kronrod += nodes().weight[i] * values[i];
-      gauss += nodes().gauss_weight[i] * values[i];
+      kronrod += nodes().weight[i] * values[i * pitch];
+      gauss += nodes().gauss_weight[i] * values[i * pitch];
     }
     return {.value = width * kronrod, .error = width * std::abs(kronrod - gauss)};
   }
@@ -80,11 +80,13 @@ class NestedKronrod {
     Row values;
     plane_.blocks().grid(panel_, u.data(), order, &v, 1, values.data());
     plane_.evaluations += order;
-    return along(values.data(), v, begin, end, halvings, share);
+    return along(values.data(), 1, v, begin, end, halvings, share);
   }
 
-  Answer along(const double* values, double v, double begin, double end, int halvings, double share) {
-    const Answer whole = sum(values, end - begin);
+  /// @param pitch from one of the ray's values to the next
+  Answer along(const double* values, std::size_t pitch, double v, double begin, double end, int halvings,
+               double share) {
+    const Answer whole = sum(values, pitch, end - begin);
     if (share == 0) share = tolerance_ * std::abs(whole.value);
     if (halvings == 0 || !refused(whole, share)) return whole;
     const double middle = (begin + end) / 2;
@@ -101,11 +103,11 @@ class NestedKronrod {
     plane_.evaluations += std::int64_t{order} * order;
     Row rays;
     for (std::size_t j = 0; j < order; ++j) {
-      const Answer ray = along(grid.data() + j * order, v[j], 0, 1, most_halvings, 0);
+      const Answer ray = along(grid.data() + j, order, v[j], 0, 1, most_halvings, 0);
       rays[j] = ray.value;
       inner_error_ = std::max(inner_error_, ray.error);
     }
-    const Answer whole = sum(rays.data(), end - begin);
+    const Answer whole = sum(rays.data(), 1, end - begin);
     if (share == 0) share = tolerance_ * std::abs(whole.value);
     if (halvings == 0 || !refused(whole, share)) return whole;
     const double middle = (begin + end) / 2;

@@ -24,6 +24,26 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
     this->truncation_ = warp_.truncation();
   }
 
+  /// Where the lobe's own end begins or ends to be nearer than the horizon.
+  [[nodiscard]] std::vector<S> corners(int panel) const override {
+    std::vector<S> places;
+    if constexpr (blocks && requires { WarpIn<T>::Line::gap; }) {
+      constexpr int steps = 64, halvings = 50;
+      const auto by_itself = [&](double v) { return warp_.line(panel, Block(v)).gap[0] > 0; };
+      for (int i = 0; i < steps; ++i) {
+        double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+        const bool before = by_itself(low);
+        if (by_itself(high) == before) continue;
+        for (int k = 0; k < halvings; ++k) {
+          const double middle = (low + high) / 2;
+          (by_itself(middle) == before ? low : high) = middle;
+        }
+        places.push_back(high);
+      }
+    }
+    return places;
+  }
+
   void points(int panel, const S* u, const S* v, S* w, int count) const override {
     if constexpr (blocks) {
       for (int i = 0; i < count; i += block_width) {
@@ -39,21 +59,24 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
   /// Eight rays at a time, each in a lane of its own; the last ones in several lanes each, for several points at once.
   void grid(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const override {
     if constexpr (blocks) {
-      for (int rays = 0; count_v > 0; v += rays, count_v -= rays, w += std::ptrdiff_t{rays} * count_u) {
-        if (count_v >= 7) {  // one lane may idle
-          rays = group<8>(panel, u, count_u, v, count_v, w);
-        } else if (count_v >= 3) {
-          rays = group<4>(panel, u, count_u, v, count_v, w);
-        } else if (count_v == 2) {
-          rays = group<2>(panel, u, count_u, v, count_v, w);
+      for (int first = 0, rays = 0; first < count_v; first += rays) {
+        const int left = count_v - first;
+        if (left >= 7) {  // one lane may idle
+          rays = group<8>(panel, u, count_u, v + first, left, w + first, count_v);
+        } else if (left >= 3) {
+          rays = group<4>(panel, u, count_u, v + first, left, w + first, count_v);
+        } else if (left == 2) {
+          rays = group<2>(panel, u, count_u, v + first, left, w + first, count_v);
         } else {
-          rays = group<1>(panel, u, count_u, v, count_v, w);
+          rays = group<1>(panel, u, count_u, v + first, left, w + first, count_v);
         }
       }
     } else {
       for (int j = 0; j < count_v; ++j) {
         const auto line = warp_.line(panel, v[j]);
-        for (int i = 0; i < count_u; ++i) *w++ = value(warp_.point(panel, line, u[i]));
+        for (int i = 0; i < count_u; ++i) {
+          w[std::ptrdiff_t{i} * count_v + j] = value(warp_.point(panel, line, u[i]));
+        }
       }
     }
   }
@@ -61,24 +84,27 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
  private:
   static constexpr bool blocks = std::is_same_v<T, Block>;
 
-  /// The first `most` rays, or those there are; returns their number.
+  /// The first `most` rays, or those there are; returns their number. `pitch` is from a point's values to the next's.
   template <int most>
-  int group(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const {
-    constexpr int points = block_width / most;  // lanes of a ray
+  int group(int panel, const S* u, int count_u, const S* v, int count_v, S* w, int pitch) const {
+    constexpr int points = block_width / most;  // side by side in a block, each on all rays
     const int rays = std::min(most, count_v);
-    const auto line =
-        warp_.line(panel, Block::generate([=](int lane) { return v[std::min(lane / points, rays - 1)]; }));
-    std::array<S*, std::size_t{most}> row;
-    for (int ray = 0; ray < most; ++ray) row[static_cast<std::size_t>(ray)] = w + std::min(ray, rays - 1) * count_u;
+    const auto line = warp_.line(panel, rays == block_width ? Block::load(v) : Block::generate([=](int lane) {
+                                   return v[std::min(lane % most, rays - 1)];
+                                 }));
     const auto sample = [&](int i, auto filled) {
-      const auto place = [&](int lane) { return u[i + std::min(lane % points, filled - 1)]; };
+      const auto place = [&](int lane) { return u[i + std::min(lane / most, filled - 1)]; };
       return warp_.point(panel, line, points == 1 ? Block(u[i]) : Block::generate(place));
     };
     const auto put = [&](const Block& result, int i, auto filled) {
-      std::array<double, block_width> values;
-      result.store(values.data());
-      const double* from = values.data();
-      for (S* to : row) std::copy_n(from, filled, to + i), from += points;
+      S* to = w + std::ptrdiff_t{i} * pitch;
+      if constexpr (points == 1) {
+        result.store(to, rays);
+      } else {
+        std::array<double, block_width> values;
+        result.store(values.data());
+        for (int point = 0; point < filled; ++point, to += pitch) std::copy_n(values.data() + point * most, rays, to);
+      }
     };
     constexpr std::integral_constant<int, points> all;
     int i = 0;
@@ -122,6 +148,11 @@ class SumIntegrand final : public Integrand<S> {
     }
   }
 
+  [[nodiscard]] std::vector<S> corners(int panel) const override {
+    const Owner& owner = owners_[static_cast<std::size_t>(panel)];
+    return owner.part->corners(owner.panel);
+  }
+
   void points(int panel, const S* u, const S* v, S* w, int count) const override {
     const Owner& owner = owners_[static_cast<std::size_t>(panel)];
     owner.part->points(owner.panel, u, v, w, count);
@@ -156,9 +187,9 @@ class RoundedIntegrand final : public Integrand<double> {
     }
   }
   void grid(int panel, const double* u, int count_u, const double* v, int count_v, double* w) const override {
-    for (int j = 0; j < count_v; ++j) {
-      const std::vector<double> row(static_cast<std::size_t>(count_u), v[j]);
-      points(panel, u, row.data(), w + static_cast<std::ptrdiff_t>(j) * count_u, count_u);
+    for (int i = 0; i < count_u; ++i, w += count_v) {
+      const std::vector<double> same_u(static_cast<std::size_t>(count_v), u[i]);
+      points(panel, same_u.data(), v, w, count_v);
     }
   }
 

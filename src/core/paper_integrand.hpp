@@ -35,8 +35,8 @@ class PaperIntegrand final : public Integrand<Scalar<T>> {
   void grid(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const override {
     const auto width = static_cast<std::size_t>(count_u), height = static_cast<std::size_t>(count_v);
     std::vector<S> all_u(width * height), all_v(width * height);
-    for (std::size_t j = 0; j < height; ++j) {
-      for (std::size_t i = 0; i < width; ++i) all_u[j * width + i] = u[i], all_v[j * width + i] = v[j];
+    for (std::size_t i = 0; i < width; ++i) {
+      for (std::size_t j = 0; j < height; ++j) all_u[i * height + j] = u[i], all_v[i * height + j] = v[j];
     }
     points(panel, all_u.data(), all_v.data(), w, count_u * count_v);
   }

@@ -13,6 +13,14 @@ namespace albedo {
 /// Widths of a feature from its place on, beyond which none of it is left.
 inline constexpr double feature_reach = 32;
 
+/// What rounding may make of a sum of that magnitude, subnormal numbers among it.
+template <class S>
+S rounding_of(const S& magnitude) {
+  constexpr int units = 16;
+  if (magnitude == 0) return S(0);
+  return std::max<S>(units * std::numeric_limits<S>::epsilon() * magnitude, std::numeric_limits<S>::min());
+}
+
 /// The result of a rule whose first look alone costs more than the budget: nothing is known.
 inline Estimate unaffordable(ErrorKind kind) {
   return {0, std::numeric_limits<double>::infinity(), kind, 0, Status::budget_exhausted};
@@ -24,8 +32,12 @@ inline bool conclude(Estimate& estimate, double mean, double standard_error, boo
                      const Integrand<double>& integrand, const RuleOptions& options) {
   estimate.value = mean;
   estimate.error = standard_error + integrand.truncation() * std::abs(mean);
+  constexpr double least = 1e-140;  // the squares of less are subnormal, and tell nothing
   if (!std::isfinite(mean) || !std::isfinite(standard_error)) {
     estimate.status = Status::non_finite;
+  } else if (mean != 0 && std::abs(mean) < least) {
+    estimate.error = std::numeric_limits<double>::infinity();
+    estimate.status = Status::rounding_limited;
   } else if (met && estimate.error <= options.tolerance * std::abs(mean)) {
     estimate.status = Status::converged;
   } else {

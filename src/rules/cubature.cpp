@@ -61,7 +61,7 @@ class GenzMalik {
     box.value = area * (w1 * centre + w2 * (near_u + near_v) + w3 * (far_u + far_v) + w4 * cross + w5 * corners);
     const double fifth = area * (e1 * centre + e2 * (near_u + near_v) + e3 * (far_u + far_v) + e4 * cross);
     box.error =
-        2 * std::abs(box.value - fifth);  // it is the difference of two rules, not yet asymptotic in a large box
+        4 * std::abs(box.value - fifth);  // it is the difference of two rules, not yet asymptotic in a large box
     box.magnitude = 0;
     for (const double value : w) box.magnitude += std::abs(value) * area / points_per_box;
     const double ratio = near * near / (far * far);
@@ -99,6 +99,24 @@ Sums sum(const std::vector<Box>& boxes) {
   return sums;
 }
 
+/// A panel, or what is between two of its corners.
+struct Strip {
+  int panel;
+  double begin, end;  // along v
+};
+
+std::vector<Strip> strips_of(const Integrand<double>& integrand) {
+  std::vector<Strip> strips;
+  for (int panel = 0; panel < static_cast<int>(integrand.panels().size()); ++panel) {
+    double begin = 0;
+    for (const double corner : integrand.corners(panel)) {
+      if (corner > begin && corner < 1) strips.push_back({panel, begin, corner}), begin = corner;
+    }
+    strips.push_back({panel, begin, 1});
+  }
+  return strips;
+}
+
 /// The part of a box between its outermost points and one of its borders: an edge there isn't seen.
 constexpr double hidden_strip = 0.0257;
 
@@ -127,7 +145,7 @@ void keep_hidden(const Box& parent, Box& a, Box& b) {
   for (Box* half : {&a, &b}) half->error = std::max(half->error, half->all_hidden());
 }
 
-/// The same for the first boxes, `rows` × `rows` in every panel: where neighbours differ, and at the panel's own
+/// The same for the first boxes, `rows` × `rows` in every strip: where neighbours differ, and at the panel's own
 /// borders.
 void hide_at_borders(const Integrand<double>& integrand, std::vector<Box>& boxes, int rows) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -147,7 +165,6 @@ void hide_at_borders(const Integrand<double>& integrand, std::vector<Box>& boxes
 }  // namespace
 
 Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const GenzMalik rule(integrand);
   const auto panel_of = [&](const Box& box) -> const Panel& {
     return integrand.panels()[static_cast<std::size_t>(box.panel)];
@@ -155,14 +172,15 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
   std::vector<Box> heap;
   std::int64_t evaluations = 0;
   constexpr int enough = 5;  // per axis: a first look that isn't fooled by symmetry
-  const double affordable =
-      static_cast<double>(options.budget) / points_per_box / static_cast<double>(integrand.panels().size());
+  const std::vector<Strip> strips = strips_of(integrand);
+  const double affordable = static_cast<double>(options.budget) / points_per_box / static_cast<double>(strips.size());
   const int initial = affordable < enough * enough ? static_cast<int>(std::sqrt(affordable)) : enough;
   if (initial == 0) return unaffordable(ErrorKind::rule_difference);
-  for (std::size_t panel = 0; panel < integrand.panels().size(); ++panel) {
+  for (const Strip& strip : strips) {
     for (int i = 0; i < initial * initial; ++i) {
-      Box box{static_cast<int>(panel), (0.5 + i % initial) / initial, (0.5 + i / initial) / initial, 0.5 / initial,
-              0.5 / initial};
+      const double height = (strip.end - strip.begin) / initial;
+      Box box{strip.panel, (0.5 + i % initial) / initial, strip.begin + (0.5 + i / initial) * height, 0.5 / initial,
+              0.5 * height};
       rule.measure(box);
       heap.push_back(box);
     }
@@ -173,12 +191,12 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
   Sums sums = sum(heap);
   const auto met = [&] {
     return !sums.unseen_feature && initial == enough &&
-           sums.error + 16 * epsilon * sums.magnitude + integrand.truncation() * std::abs(sums.value) <=
+           sums.error + rounding_of(sums.magnitude) + integrand.truncation() * std::abs(sums.value) <=
                options.tolerance * std::abs(sums.value);
   };
   std::size_t since_resummed = 0;
   while (std::isfinite(sums.value) && !met() && evaluations + 2 * points_per_box <= options.budget) {
-    if (!sums.unseen_feature && sums.error <= 16 * epsilon * sums.magnitude) break;  // nothing left but rounding
+    if (!sums.unseen_feature && sums.error <= rounding_of(sums.magnitude)) break;  // nothing left but rounding
     std::pop_heap(heap.begin(), heap.end());
     const Box parent = heap.back();
     heap.pop_back();
@@ -208,7 +226,7 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
     }
   }
   sums = sum(heap);
-  const double rounding = 16 * epsilon * sums.magnitude;
+  const double rounding = rounding_of(sums.magnitude);
   Estimate estimate{sums.value, sums.error + rounding + integrand.truncation() * std::abs(sums.value),
                     ErrorKind::rule_difference, evaluations, Status::converged};
   if (!std::isfinite(sums.value) || !std::isfinite(sums.error)) {

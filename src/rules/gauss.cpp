@@ -1,10 +1,12 @@
 #include "albedo/rules/gauss.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "rules/conclusion.hpp"
 #include "rules/resolution.hpp"
 
 namespace albedo {
@@ -16,10 +18,10 @@ using std::isfinite;
 /// A ray of a cell's grid that stands for its neighbours when the rule along them is checked.
 template <class S>
 struct Probe {
-  S position;             // v, in the cell
-  std::vector<S> values;  // at the rule's nodes
-  S sum;                  // by the rule
-  S factor;               // what an error of this ray amounts to in the cell
+  S position;  // v, in the cell
+  S sum;       // by the rule
+  S known;     // what the rule's own nodes have in the sum of the one that checks it
+  S factor;    // what an error of this ray amounts to in the cell
 };
 
 /// A rectangle of a panel, integrated by a product rule. What is known of the two rules' errors is infinite until it
@@ -34,13 +36,42 @@ struct Cell {
   S value{}, magnitude{};
   S doubt{};  // mean of the rays'
   Resolution<S> along_u{}, along_v{};
-  std::vector<Probe<S>> probes{};
+  std::array<Probe<S>, 5> probes{};
+  std::size_t probe_count = 0;
   S error_u = std::numeric_limits<S>::infinity(), error_v = std::numeric_limits<S>::infinity();
   bool hides_feature = false;
   bool divide_u = false;
   bool rough = false;  // bisected since raising the order didn't help, or layered
 
   [[nodiscard]] S error() const { return error_u + error_v; }
+};
+
+/// An integration's memory: asking for it anew would take as long as a small integration.
+template <class S>
+struct Workspace {
+  std::vector<S> positions_u, positions_v, places, values, columns, doubt, scratch;
+  std::vector<Cell<S>> cells;
+};
+
+/// The thread's workspace; an integration within another's integrand gets one of its own.
+template <class S>
+class Lease {
+ public:
+  Lease() : work_(std::move(spare())) { work_.cells.clear(); }
+  ~Lease() { spare() = std::move(work_); }
+  Lease(const Lease&) = delete;
+  Lease& operator=(const Lease&) = delete;
+
+  Workspace<S>* operator->() { return &work_; }
+  const Workspace<S>* operator->() const { return &work_; }
+
+ private:
+  static Workspace<S>& spare() {
+    thread_local Workspace<S> workspace;
+    return workspace;
+  }
+
+  Workspace<S> work_;
 };
 
 /// Both rules are extended by about as many nodes as they have, and their errors are what that changes: along u on a
@@ -53,28 +84,27 @@ class ProductRule {
   EstimateIn<S> run() {
     for (std::size_t i = 0; i < integrand_.panels().size(); ++i) {
       const Panel& panel = integrand_.panels()[i];
-      Cell<S> cell{static_cast<int>(i), panel.u, panel.v};
+      Cell<S>& cell = work_->cells.emplace_back(Cell<S>{static_cast<int>(i), panel.u, panel.v});
       cell.u.order = std::clamp(cell.u.order, 4, most_checked(cell.u.kind));
-      cell.v.order = std::clamp(cell.v.order, 4, most_nodes(cell.v.kind) / 4);
+      cell.v.order = std::clamp(cell.v.order, cell.v.kind == AxisKind::interval ? 4 : 2, most_nodes(cell.v.kind) / 4);
       cell.rough = panel.layered;
       if (!allows(std::int64_t{cell.u.order} * cell.v.order)) return unaffordable();
       measure(cell);
-      cells_.push_back(std::move(cell));
     }
     for (;;) {
       EstimateIn<S> estimate = total();
-      if (estimate.status != Status::budget_exhausted || cells_.empty()) return estimate;
-      const auto hiding =
-          std::find_if(cells_.begin(), cells_.end(), [](const Cell<S>& cell) { return cell.hides_feature; });
-      if (hiding != cells_.end()) {
+      if (estimate.status != Status::budget_exhausted || work_->cells.empty()) return estimate;
+      const auto hiding = std::find_if(work_->cells.begin(), work_->cells.end(),
+                                       [](const Cell<S>& cell) { return cell.hides_feature; });
+      if (hiding != work_->cells.end()) {
         if (!bisect(*hiding, hiding->divide_u)) return estimate;
         continue;
       }
       const S size = estimate.value < 0 ? S(-estimate.value) : estimate.value;
-      const auto worst = std::max_element(cells_.begin(), cells_.end(),
+      const auto worst = std::max_element(work_->cells.begin(), work_->cells.end(),
                                           [](const auto& a, const auto& b) { return a.error() < b.error(); });
       const S rounding = 2 * std::numeric_limits<S>::epsilon() * worst->magnitude;
-      const S share = std::max<S>(S(options_.tolerance) * size / S(8 * cells_.size()), rounding);
+      const S share = std::max<S>(S(options_.tolerance) * size / S(8 * work_->cells.size()), rounding);
       if (!improve(*worst, share)) return estimate;
     }
   }
@@ -96,33 +126,24 @@ class ProductRule {
   void measure(Cell<S>& cell, std::size_t first = 0) {
     const Nodes<S>& nu = nodes_of<S>(cell.u.kind, cell.u.order);
     const Nodes<S>& nv = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions);
-    const std::size_t count_u = nu.position.size(), count_v = nv.position.size();
-    evaluate(cell, nu, 0, nv.position.data() + first, count_v - first);
+    const std::size_t count_u = nu.position.size(), count_v = nv.position.size(), count = count_v - first;
+    evaluate(cell, nu, 0, nv.position.data() + first, count);
     const S area = cell.width_u * cell.width_v / S(cell.u.range);
     cell.rows.resize(count_v);
-    columns_.assign(count_u, S(0));
-    sizes_.assign(count_u, S(0));
-    doubt_.resize(count_v - first);
+    const S magnitude = sum_rays(nu, nv.weight.data() + first, count, cell.rows.data() + first);
     S weight = 0, mean_doubt = 0;
-    for (std::size_t j = first; j < count_v; ++j) {
-      const S* row = values_.data() + (j - first) * count_u;
-      if (first == 0) {
-        for (std::size_t i = 0; i < count_u; ++i) {
-          columns_[i] += nv.weight[j] * row[i];
-          sizes_[i] += nv.weight[j] * (row[i] < 0 ? -row[i] : row[i]);
-        }
-      }
-      cell.rows[j] = dot(nu.weight.data(), row, count_u);
-      doubt_[j - first] = doubt(nu, row);
-      weight += nv.weight[j];
-      mean_doubt += nv.weight[j] * doubt_[j - first];
+    for (std::size_t j = 0; j < count; ++j) {
+      weight += nv.weight[first + j];
+      mean_doubt += nv.weight[first + j] * work_->doubt[j];
     }
     cell.value = area * dot(nv.weight.data(), cell.rows.data(), count_v);
-    cell.along_v = resolution(nv, cell.rows);
-    scale(cell.along_v, area);
     if (first == 0) {
-      cell.magnitude = area * dot(nu.weight.data(), sizes_.data(), count_u);
-      cell.along_u = resolution(nu, columns_);
+      cell.magnitude = area * magnitude;
+      work_->columns.resize(count_u);
+      for (std::size_t i = 0; i < count_u; ++i) {
+        work_->columns[i] = dot(nv.weight.data(), work_->values.data() + i * count, count);
+      }
+      cell.along_u = resolution(nu, work_->columns.data(), work_->scratch);
       scale(cell.along_u, area);
       cell.hides_feature = hides_feature(integrand_.panels()[static_cast<std::size_t>(cell.panel)], cell.begin_u,
                                          cell.begin_v, cell.width_u, cell.width_v, cell.divide_u);
@@ -131,23 +152,64 @@ class ProductRule {
     // what takes a second extension, or has harder rays than those that have been checked, is checked again
     if (first == 0 || cell.extensions > 1 || mean_doubt > 2 * cell.doubt) {
       cell.doubt = mean_doubt;
-      cell.probes = probes(cell, nu, nv, first, area / weight);
+      choose_probes(cell, nu, nv, first, area / weight);
       cell.error_u = std::numeric_limits<S>::infinity();
     }
-    cell.error_v = cell.extensions > 0 ? extension_error(cell, area) : std::numeric_limits<S>::infinity();
+    if (cell.extensions > 0) {
+      cell.along_v = resolution(nv, cell.rows.data(), work_->scratch);
+      scale(cell.along_v, area);
+      cell.error_v = extension_error(cell, area);
+    } else {
+      cell.error_v = std::numeric_limits<S>::infinity();
+    }
+  }
+
+  /// The rule's sum and the doubt of each ray; returns the weighted sum of their magnitudes.
+  ///
+  /// A ray's error falls about like the square of its last coefficients, or slower: that, in some unit, is how much its
+  /// sum is to be doubted.
+  S sum_rays(const Nodes<S>& nodes, const S* weight_v, std::size_t count, S* rows) {
+    const std::size_t n = nodes.position.size(), terms = static_cast<std::size_t>(nodes.terms);
+    const std::size_t some = std::min<std::size_t>(3, terms), begin = terms - some;
+    work_->doubt.resize(count + lanes<S>);
+    std::array<S, lanes<S>> sums, doubts, sizes;
+    S magnitude = 0;
+    for (std::size_t j = 0; j < count; j += lanes<S>) {
+      Lanes<S> sum(S(0)), size(S(0)), coefficient[3]{S(0), S(0), S(0)};
+      for (std::size_t i = 0; i < n; ++i) {
+        const Lanes<S> value = load_lanes(work_->values.data() + i * count + j);
+        const Lanes<S> term = nodes.weight[i] * value;
+        sum += term;
+        size += abs(term);
+        const S* transform = nodes.transform.data() + i * terms + begin;
+        for (std::size_t k = 0; k < some; ++k) coefficient[k] += transform[k] * value;
+      }
+      for (Lanes<S>& c : coefficient) c *= c;
+      store_lanes(sum, sums.data());
+      store_lanes(size, sizes.data());
+      store_lanes(Lanes<S>(max(max(coefficient[0], coefficient[1]), coefficient[2])), doubts.data());
+      for (std::size_t lane = 0; lane < std::min(lanes<S>, count - j); ++lane) {
+        rows[j + lane] = sums[lane];
+        work_->doubt[j + lane] = doubts[lane];
+        magnitude += weight_v[j + lane] * sizes[lane];
+      }
+    }
+    work_->doubt.resize(count);
+    return magnitude;
   }
 
   void evaluate(const Cell<S>& cell, const Nodes<S>& nu, std::size_t first_u, const S* place_v, std::size_t count_v) {
-    positions_u_.resize(nu.position.size() - first_u);
-    for (std::size_t i = 0; i < positions_u_.size(); ++i) {
-      positions_u_[i] = cell.begin_u + cell.width_u * nu.position[first_u + i] / S(cell.u.range);
-    }
-    positions_v_.resize(count_v);
-    for (std::size_t j = 0; j < count_v; ++j) positions_v_[j] = cell.begin_v + cell.width_v * place_v[j];
-    values_.resize(positions_u_.size() * count_v);
-    integrand_.grid(cell.panel, positions_u_.data(), static_cast<int>(positions_u_.size()), positions_v_.data(),
-                    static_cast<int>(count_v), values_.data());
-    evaluations_ += static_cast<std::int64_t>(values_.size());
+    const std::size_t count_u = nu.position.size() - first_u;
+    work_->positions_u.resize(count_u);
+    const S per_range = cell.width_u / S(cell.u.range);
+    for (std::size_t i = 0; i < count_u; ++i)
+      work_->positions_u[i] = cell.begin_u + per_range * nu.position[first_u + i];
+    work_->positions_v.resize(count_v);
+    for (std::size_t j = 0; j < count_v; ++j) work_->positions_v[j] = cell.begin_v + cell.width_v * place_v[j];
+    work_->values.resize(count_u * count_v + lanes<S>);  // sums read whole blocks
+    integrand_.grid(cell.panel, work_->positions_u.data(), static_cast<int>(count_u), work_->positions_v.data(),
+                    static_cast<int>(count_v), work_->values.data());
+    evaluations_ += static_cast<std::int64_t>(count_u * count_v);
   }
 
   /// Nothing is known where not every panel could be looked at.
@@ -160,65 +222,59 @@ class ProductRule {
     along.log_last += std::log(static_cast<double>(area));
   }
 
-  /// How much a ray's sum is to be doubted, in some unit: its error falls about like the square of the coefficients at
-  /// three quarters of the order.
-  static S doubt(const Nodes<S>& nodes, const S* values) {
-    const std::size_t n = nodes.position.size(), first = n * 3 / 4;
-    S largest = 0;
-    for (std::size_t k = first; k < std::min(first + 3, n); ++k) {
-      largest = std::max<S>(largest, square(dot(nodes.transform.data() + k * n, values, n)));
-    }
-    return largest;
-  }
-
   /// The outermost of the rays from the given one on, where special directions are, and the most doubtful one of each
   /// of a few groups of equal doubt.
-  std::vector<Probe<S>> probes(const Cell<S>& cell, const Nodes<S>& nu, const Nodes<S>& nv, std::size_t first,
-                               const S& scale) const {
-    const std::size_t n = doubt_.size(), groups = std::clamp<std::size_t>(n / 4, 1, 3);
-    const S largest = *std::max_element(doubt_.begin(), doubt_.end());
+  void choose_probes(Cell<S>& cell, const Nodes<S>& nu, const Nodes<S>& nv, std::size_t first, const S& scale) const {
+    const std::vector<S>& doubt = work_->doubt;
+    const std::size_t n = doubt.size(), groups = std::clamp<std::size_t>(n / 4, 1, 3);
+    const S largest = *std::max_element(doubt.begin(), doubt.end());
     S size = 0;
     for (const S& row : cell.rows) size = std::max<S>(size, row < 0 ? S(-row) : row);
     const S noise = 16 * S(nu.terms) * std::numeric_limits<S>::epsilon() * size;  // of a coefficient
     const S least = largest > 0 ? std::max<S>(largest / 1000, square(noise)) : S(1);
     const S *weight = nv.weight.data() + first, *place = nv.position.data() + first;
-    const auto [lowest, highest] = std::minmax_element(place, place + n);
-    std::vector<std::size_t> chosen{static_cast<std::size_t>(lowest - place)};
-    if (highest != lowest) chosen.push_back(static_cast<std::size_t>(highest - place));
     S whole = 0, sum = 0;
-    for (std::size_t i = 0; i < n; ++i) whole += weight[i] * (doubt_[i] + least);
+    for (std::size_t i = 0; i < n; ++i) whole += weight[i] * (doubt[i] + least);
+    std::array<std::size_t, std::tuple_size_v<decltype(cell.probes)>> chosen;
+    cell.probe_count = 0;
+    const auto choose = [&](std::size_t ray) {
+      const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(cell.probe_count);
+      if (std::find(chosen.begin(), end, ray) == end) chosen[cell.probe_count++] = ray;
+    };
+    const auto [lowest, highest] = std::minmax_element(place, place + n);
+    choose(static_cast<std::size_t>(lowest - place));
+    choose(static_cast<std::size_t>(highest - place));
     std::size_t group = 0, best = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const S share = weight[i] * (doubt_[i] + least);
-      if (i == best || share > weight[best] * (doubt_[best] + least)) best = i;
+      const S share = weight[i] * (doubt[i] + least);
+      if (i == best || share > weight[best] * (doubt[best] + least)) best = i;
       sum += share;
-      if (sum * S(groups) < whole * S(group + 1) && i + 1 < n) continue;
-      if (std::find(chosen.begin(), chosen.end(), best) == chosen.end()) chosen.push_back(best);
+      if (group + 1 > groups || (sum * S(groups) < whole * S(group + 1) && i + 1 < n)) continue;
+      choose(best);
       ++group;
       best = i + 1;
     }
-    std::vector<Probe<S>> result;
-    for (const std::size_t i : chosen) {
-      const S* values = values_.data() + i * nu.position.size();
-      result.push_back(
-          {place[i], {values, values + nu.position.size()}, cell.rows[first + i], scale * whole / (doubt_[i] + least)});
+    const Nodes<S>& nodes = checking(cell.u);
+    for (std::size_t k = 0; k < cell.probe_count; ++k) {
+      const std::size_t ray = chosen[k];
+      S known = 0;
+      for (std::size_t i = 0; i < known_nodes(cell.u); ++i) known += nodes.weight[i] * work_->values[i * n + ray];
+      cell.probes[k] = {place[ray], cell.rows[first + ray], known, scale * whole / (doubt[ray] + least)};
     }
-    return result;
   }
 
   /// The error along u: what more nodes change on the probes.
   void check(Cell<S>& cell) {
     const Nodes<S>& nodes = checking(cell.u);
-    const std::size_t known = known_nodes(cell.u), fresh = nodes.position.size() - known;
-    places_.clear();
-    for (const Probe<S>& probe : cell.probes) places_.push_back(probe.position);
-    evaluate(cell, nodes, known, places_.data(), places_.size());
+    const std::size_t known = known_nodes(cell.u), fresh = nodes.position.size() - known, count = cell.probe_count;
+    work_->places.resize(count);
+    for (std::size_t k = 0; k < count; ++k) work_->places[k] = cell.probes[k].position;
+    evaluate(cell, nodes, known, work_->places.data(), count);
     S ratio = 0;
-    for (std::size_t k = 0; k < places_.size(); ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       const Probe<S>& probe = cell.probes[k];
-      S sum = 0;
-      for (std::size_t i = 0; i < known; ++i) sum += nodes.weight[i] * probe.values[i];
-      for (std::size_t i = 0; i < fresh; ++i) sum += nodes.weight[known + i] * values_[k * fresh + i];
+      S sum = probe.known;
+      for (std::size_t i = 0; i < fresh; ++i) sum += nodes.weight[known + i] * work_->values[i * count + k];
       const S change = sum - probe.sum;
       ratio = std::max<S>(ratio, probe.factor * (change < 0 ? S(-change) : change));
     }
@@ -239,33 +295,43 @@ class ProductRule {
   /// The error along v, of the extended rule, from what the extension changed.
   S extension_error(const Cell<S>& cell, const S& area) const {
     const Nodes<S>& before = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions - 1);
-    S sum = 0;
-    for (std::size_t j = 0; j < before.position.size(); ++j) sum += before.weight[j] * cell.rows[j];
-    const S change = sum * area - cell.value;
-    const S size = change < 0 ? S(-change) : change;
+    const Nodes<S>& after = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions);
+    const S change = dot(before.weight.data(), cell.rows.data(), before.position.size()) * area - cell.value;
+    // two rules may agree by accident, but hardly on another moment too
+    const S other = area * (first_moment(before, cell.rows) - first_moment(after, cell.rows));
+    constexpr int part = 8;
+    const S size = std::max<S>(change < 0 ? S(-change) : change, (other < 0 ? S(-other) : other) / part);
     constexpr int rough = 8;
     const Resolution<S>& now = cell.along_v;
-    const int terms = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions).terms;
+    const int terms = after.terms;
     if (cell.rough || (above_noise(cell, now) && now.slow(terms))) return rough * size;
     if (cell.extensions > 2) return size;  // it wasn't as smooth as it had been announced
-    // how much of the change the extended rule has left; a third of what its coefficients promise (in digits) is
-    // believed
-    constexpr double believed = 0.33, least = 0.02;
+    // how much of the change the extended rule has left; half of what its coefficients promise (in digits) is believed
+    constexpr double believed = 0.5, least = 0.005;
     return size * S(std::clamp(std::exp((now.log_error(terms) - now.log_error(before.terms)) * believed), least, 1.0));
+  }
+
+  /// The expansion's second coefficient.
+  static S first_moment(const Nodes<S>& nodes, const std::vector<S>& rows) {
+    S sum = 0;
+    for (std::size_t j = 0; j < nodes.position.size(); ++j) {
+      sum += nodes.transform[j * static_cast<std::size_t>(nodes.terms) + 1] * rows[j];
+    }
+    return sum;
   }
 
   [[nodiscard]] EstimateIn<S> total() const {
     EstimateIn<S> estimate;
     S magnitude = 0;
     bool hides_feature = false;
-    for (const Cell<S>& cell : cells_) {
+    for (const Cell<S>& cell : work_->cells) {
       hides_feature = hides_feature || cell.hides_feature;
       estimate.value += cell.value;
       estimate.error += cell.error();
       magnitude += cell.magnitude;
     }
     const S size = estimate.value < 0 ? -estimate.value : estimate.value;
-    const S rounding = 16 * std::numeric_limits<S>::epsilon() * magnitude;
+    const S rounding = rounding_of(magnitude);
     const bool rounding_only = estimate.error <= 3 * rounding;
     estimate.error = 4 * estimate.error + rounding +
                      S(integrand_.truncation()) * size;  // four times: measured over thousands of cases
@@ -279,38 +345,46 @@ class ProductRule {
   }
 
   /// The order that should bring an error down to the target; 0 where only bisection will.
-  static int raised(int order, int most, const Resolution<S>& now, const S& error, const S& target) {
-    if (!now.decays)
-      return order >= most ? 0 : std::min(most, order + std::max(3, isfinite(error) ? order / 4 : order / 2));
+  static int raised(int order, int most, const Resolution<S>& now, const S& error, const S& target, const S& size) {
+    if (!now.decays) return order >= most ? 0 : std::min(most, order + std::max(3, order / 4));
     using std::log;
-    // a measured error corrects the prediction
-    const double surplus = isfinite(error) ? static_cast<double>(log(error)) - now.log_error(order) : 0;
-    const double wanted = static_cast<double>(log(target)) - surplus;
-    const int reach = std::min(most, isfinite(error) ? order * 3 / 2 : 2 * order);
+    // by the nodes that each digit has taken so far, or by the coefficients, whichever promise more
+    const double reached = static_cast<double>(log(S(size / error))),
+                 wanted = static_cast<double>(log(S(size / target)));
+    const double surplus = static_cast<double>(log(error)) - now.log_error(order);
+    const int reach = std::min(most, order * 3 / 2);
     int next = order + 1;
-    while (next < reach && now.log_error(next) > wanted) ++next;
-    const bool hopeless = now.log_error(2.0 * most) > wanted;
+    while (next < reach && next * reached < order * wanted &&
+           now.log_error(next) + surplus > static_cast<double>(log(target)))
+      ++next;
+    const bool hopeless = now.log_error(2.0 * most) + surplus > static_cast<double>(log(target));
     return next > most || (hopeless && 2 * order > most) ? 0 : next;
   }
 
   [[nodiscard]] bool allows(std::int64_t count) const { return evaluations_ + count <= options_.budget; }
 
-  /// Whether the errors that are known leave a share for each that isn't.
+  /// Whether the errors that are known leave a part of a share for each that isn't: most turn out far below it.
   [[nodiscard]] bool affordable(const S& share) const {
+    const S unknown = share / 8;
     S sum = 0;
-    for (const Cell<S>& cell : cells_) {
-      sum += (isfinite(cell.error_u) ? cell.error_u : share) + (isfinite(cell.error_v) ? cell.error_v : share);
+    for (const Cell<S>& cell : work_->cells) {
+      sum += (isfinite(cell.error_u) ? cell.error_u : unknown) + (isfinite(cell.error_v) ? cell.error_v : unknown);
     }
-    return sum <= share * S(2 * cells_.size());
+    return sum <= share * S(2 * work_->cells.size());
   }
 
   /// The next thing to do about a cell: more nodes along u until they suffice, then along v; false when the budget
   /// forbids.
   bool improve(Cell<S>& cell, const S& share) {
     const bool checked = isfinite(cell.error_u);
+    if (!checked && cell.extensions == 0 && 4 * cell.magnitude <= share) {  // it hardly matters, whatever it is
+      cell.error_u = cell.error_v = cell.magnitude;
+      return true;
+    }
     if (checked && cell.error_u > share && !(cell.error_u < cell.error_v && affordable(share))) {
-      const S margin = S(8 << cell.extensions);  // another miss would cost all of the rays again
-      const int order = raised(cell.u.order, most_checked(cell.u.kind), cell.along_u, cell.error_u, share / margin);
+      const S margin = S(4 << cell.extensions);  // another miss would cost all of the rays again
+      const int order =
+          raised(cell.u.order, most_checked(cell.u.kind), cell.along_u, cell.error_u, share / margin, cell.magnitude);
       if (order == 0) return bisect(cell, true);
       if (!allows(order * static_cast<std::int64_t>(cell.rows.size()))) return false;
       cell.u.order = order;
@@ -319,7 +393,7 @@ class ProductRule {
     }
     if (!checked) {
       const std::size_t fresh = checking(cell.u).position.size() - known_nodes(cell.u);
-      if (!allows(static_cast<std::int64_t>(cell.probes.size() * fresh))) return false;
+      if (!allows(static_cast<std::int64_t>(cell.probe_count * fresh))) return false;
       check(cell);
       return true;
     }
@@ -332,7 +406,8 @@ class ProductRule {
       measure(cell, known);
       return true;
     }
-    const int order = raised(cell.v.order, most_nodes(cell.v.kind) / 2, cell.along_v, cell.error_v, share);
+    const int order =
+        raised(cell.v.order, most_nodes(cell.v.kind) / 2, cell.along_v, cell.error_v, share, cell.magnitude);
     if (order == 0) return bisect(cell, false);
     if (!allows(cell.u.order * std::int64_t{2 * order + 1})) return false;
     cell.v.order = order;
@@ -356,15 +431,14 @@ class ProductRule {
     measure(half);
     measure(other);
     cell = std::move(half);
-    cells_.push_back(std::move(other));
+    work_->cells.push_back(std::move(other));
     return true;
   }
 
   const Integrand<S>& integrand_;
   RuleOptions options_;
   std::int64_t evaluations_ = 0;
-  std::vector<Cell<S>> cells_;
-  std::vector<S> positions_u_, positions_v_, places_, values_, columns_, sizes_, doubt_;
+  Lease<S> work_;
 };
 
 }  // namespace

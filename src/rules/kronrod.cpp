@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rules/conclusion.hpp"
+#include "rules/rays.hpp"
 
 namespace albedo {
 namespace {
@@ -176,7 +177,7 @@ class Nested {
     std::array<double, row_nodes * column_nodes> w{};
     for (Part& along : parts) {
       const auto u = positions(along);
-      integrand_.grid(panel, u.data(), row_nodes, v.data(), column_nodes, w.data());
+      rays_.evaluate(integrand_, panel, u.data(), row_nodes, v.data(), column_nodes, w.data());
       evaluations_ += first_look;
       for (std::size_t j = 0; j < column_nodes; ++j) {
         measure(nodes_, w.data() + j * row_nodes, along);
@@ -269,7 +270,7 @@ class Nested {
       magnitude += strip.part.magnitude;
       hides_feature = hides_feature || strip.hides_feature;
     }
-    const double rounding = noise * magnitude;
+    const double rounding = rounding_of(magnitude);
     estimate_ = {value, error + rounding + integrand_.truncation() * std::abs(value), ErrorKind::rule_difference,
                  evaluations_, Status::budget_exhausted};
     target_ = options_.tolerance * std::abs(value);
@@ -376,6 +377,7 @@ class Nested {
   RuleOptions options_;
   std::vector<Strip> strips_;
   std::int64_t evaluations_ = 0;
+  Rays rays_;
   double target_ = 0;
   Estimate estimate_;
 };

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <array>
+#include <atomic>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/legendre.hpp>
 #include <boost/math/special_functions/legendre_stieltjes.hpp>
@@ -14,13 +15,13 @@
 namespace albedo {
 
 /// A one-dimensional rule on [0, 1] (gaussian: for r on [0, ∞)), and the matrix that turns values at its nodes into the
-/// coefficients of their expansion.
+/// coefficients of their expansion: c_k = Σ_i transform[i * terms + k] w_i.
 template <class S>
 struct Nodes {
   std::vector<S> position;     // those of the rule that this one extends come first
   std::vector<S> weight;       // interval and turn: sums to 1
   int terms = 0;               // it integrates half of its degree of exactness
-  std::vector<S> transform{};  // terms × nodes
+  std::vector<S> transform{};  // nodes × terms
 };
 
 /// The largest order of an axis, extensions included.
@@ -94,7 +95,8 @@ Nodes<S> legendre_nodes(int n, bool extended) {
     const S x = 2 * nodes.position[i] - 1;
     S previous = 0, current = 1;  // P_k by its recurrence
     for (int k = 0; k < nodes.terms; ++k) {
-      nodes.transform[static_cast<std::size_t>(k) * size + i] = S(2 * k + 1) * nodes.weight[i] * current;
+      nodes.transform[i * static_cast<std::size_t>(nodes.terms) + static_cast<std::size_t>(k)] =
+          S(2 * k + 1) * nodes.weight[i] * current;
       const S next = (S(2 * k + 1) * x * current - S(k) * previous) / S(k + 1);
       previous = current;
       current = next;
@@ -132,10 +134,10 @@ Nodes<S> turn_nodes(int n, int doublings, bool even) {
     cosine.push_back(cos(angle)), sine.push_back(sin(angle));
   }
   nodes.transform.reserve(static_cast<std::size_t>(nodes.terms) * places.size());
-  for (int k = 0; k < nodes.terms; ++k) {
-    const int harmonic = even ? k : (k + 1) / 2;
-    const std::vector<S>& wave = even || k % 2 == 1 || k == 0 ? cosine : sine;
-    for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (int k = 0; k < nodes.terms; ++k) {
+      const int harmonic = even ? k : (k + 1) / 2;
+      const std::vector<S>& wave = even || k % 2 == 1 || k == 0 ? cosine : sine;
       nodes.transform.push_back((k == 0 ? 1 : 2) * nodes.weight[i] *
                                 wave[static_cast<std::size_t>(harmonic * places[i] % turn)]);
     }
@@ -176,7 +178,7 @@ Nodes<S> gaussian_nodes(int n) {
     nodes.position.push_back(S(r));
     nodes.weight.push_back(S(weight));
     for (int k = 0; k < n; ++k) {
-      nodes.transform[static_cast<std::size_t>(k) * size + static_cast<std::size_t>(i)] =
+      nodes.transform[static_cast<std::size_t>(i) * size + static_cast<std::size_t>(k)] =
           S(weight * solver.eigenvectors()(k, i) / first);
     }
   }
@@ -192,18 +194,21 @@ Nodes<S> gaussian_nodes(int n) {
 template <class S>
 const Nodes<S>& nodes_of(AxisKind kind, int n, int extensions = 0) {
   struct Slot {
-    std::once_flag made;
+    std::once_flag once;
     std::unique_ptr<const Nodes<S>> nodes;
+    std::atomic<const Nodes<S>*> made = nullptr;  // looking here is all that most calls do
   };
   constexpr std::size_t orders = most_nodes(AxisKind::periodic) + 1, levels = 8;
   static std::array<std::array<std::array<Slot, levels>, orders>, 4> slots;
   Slot& slot = slots[static_cast<std::size_t>(kind)][static_cast<std::size_t>(n)][static_cast<std::size_t>(extensions)];
-  std::call_once(slot.made, [&] {
-    Nodes<S> made = kind == AxisKind::interval ? detail::legendre_nodes<S>(n, extensions > 0)
-                    : kind == AxisKind::gaussian
-                        ? detail::gaussian_nodes<S>(n)
-                        : detail::turn_nodes<S>(n, extensions, kind == AxisKind::even_periodic);
-    slot.nodes = std::make_unique<const Nodes<S>>(std::move(made));
+  if (const Nodes<S>* made = slot.made.load(std::memory_order_acquire)) return *made;
+  std::call_once(slot.once, [&] {
+    Nodes<S> nodes = kind == AxisKind::interval ? detail::legendre_nodes<S>(n, extensions > 0)
+                     : kind == AxisKind::gaussian
+                         ? detail::gaussian_nodes<S>(n)
+                         : detail::turn_nodes<S>(n, extensions, kind == AxisKind::even_periodic);
+    slot.nodes = std::make_unique<const Nodes<S>>(std::move(nodes));
+    slot.made.store(slot.nodes.get(), std::memory_order_release);
   });
   return *slot.nodes;
 }

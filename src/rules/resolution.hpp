@@ -39,23 +39,32 @@ struct Resolution {
   }
 };
 
-/// Reads the error of n nodes off the decay of the expansion of their values.
+/// Reads the error of n nodes off the decay of the expansion of their values. @param scratch is overwritten
 template <class S>
-Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
-  const std::size_t n = static_cast<std::size_t>(nodes.terms), size = values.size();
+Resolution<S> resolution(const Nodes<S>& nodes, const S* values, std::vector<S>& scratch) {
+  const auto n = static_cast<std::size_t>(nodes.terms);
   const std::size_t tail = std::min<std::size_t>(n, 3);
   // envelope: the largest coefficient from a third, from two thirds, and of the last three terms on
   const std::size_t third = n - tail, second = std::min((n / 3 + third) / 2 + 1, third),
                     first = std::min(n / 3, second);
-  S envelope[3] = {};
-  for (std::size_t k = n; k-- > first;) {
-    S coefficient = dot(nodes.transform.data() + k * size, values.data(), size);
-    if (coefficient < 0) coefficient = -coefficient;
-    for (const auto& [begin, largest] :
-         {std::pair{first, &envelope[0]}, {second, &envelope[1]}, {third, &envelope[2]}}) {
-      if (k >= begin) *largest = std::max<S>(*largest, coefficient);
-    }
+  scratch.assign(n, S(0));
+  S* coefficients = scratch.data();
+  for (std::size_t i = 0; i < nodes.position.size(); ++i) {
+    const S* row = nodes.transform.data() + i * n;
+    const S value = values[i];
+    for (std::size_t k = first; k < n; ++k) coefficients[k] += row[k] * value;
   }
+  const auto largest = [&](std::size_t begin, std::size_t end) {
+    S size = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      size = std::max<S>(size, coefficients[k] < 0 ? S(-coefficients[k]) : coefficients[k]);
+    }
+    return size;
+  };
+  S envelope[3];
+  envelope[2] = largest(third, n);
+  envelope[1] = std::max<S>(envelope[2], largest(second, third));
+  envelope[0] = std::max<S>(envelope[1], largest(first, second));
   Resolution<S> result;
   using std::exp;
   using std::log;

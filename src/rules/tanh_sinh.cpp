@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rules/conclusion.hpp"
+#include "rules/rays.hpp"
 
 namespace albedo {
 namespace {
@@ -151,7 +152,8 @@ class Nested {
       const Level& along = level_of(level);
       const int width = size_of(level);
       values_.resize(along.position.size() * nodes.position.size());
-      integrand_.grid(table.panel, along.position.data(), width, nodes.position.data(), count, values_.data());
+      rays_.evaluate(integrand_, table.panel, along.position.data(), width, nodes.position.data(), count,
+                     values_.data());
       evaluations_ += std::int64_t{width} * count;
       for (int j = 0; j < count; ++j) {
         table.rows[begin + static_cast<std::size_t>(j)].add_level(
@@ -225,7 +227,7 @@ class Nested {
       magnitude += table.magnitude;
       believable = believable && !table.hides_feature;
     }
-    const double rounding = noise * magnitude;
+    const double rounding = rounding_of(magnitude);
     estimate_ = {value, error + rounding + integrand_.truncation() * std::abs(value), ErrorKind::rule_difference,
                  evaluations_, Status::budget_exhausted};
     target_ = options_.tolerance * std::abs(value);
@@ -310,6 +312,7 @@ class Nested {
   std::vector<Table> tables_;
   std::vector<double> values_;
   std::int64_t evaluations_ = 0;
+  Rays rays_;
   double target_ = 0;
   Estimate estimate_;
 };

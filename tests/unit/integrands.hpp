@@ -33,8 +33,8 @@ class Formula final : public Integrand<S> {
     calls += count;
   }
   void grid(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const override {
-    for (int j = 0; j < count_v; ++j) {
-      for (int i = 0; i < count_u; ++i) w[j * count_u + i] = f_(panel, u[i], v[j]);
+    for (int i = 0; i < count_u; ++i) {
+      for (int j = 0; j < count_v; ++j) w[i * count_v + j] = f_(panel, u[i], v[j]);
     }
     calls += count_u * count_v;
   }

@@ -21,8 +21,8 @@ void check_places(const char* name) {
         std::vector<double> u, v, grid_u, grid_v;
         for (int i = 0; i < count_u; ++i) u.push_back((i + 0.5) / count_u);
         for (int j = 0; j < count_v; ++j) v.push_back((j + 0.3) / count_v);
-        for (const double y : v) {
-          for (const double x : u) grid_u.push_back(x), grid_v.push_back(y);
+        for (const double x : u) {
+          for (const double y : v) grid_u.push_back(x), grid_v.push_back(y);
         }
         constexpr double untouched = -7;
         std::vector<double> grid(grid_u.size() + 8, untouched), points(grid_u.size() + 8, untouched);

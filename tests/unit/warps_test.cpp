@@ -219,7 +219,7 @@ class Coverage final : public Integrand<double> {
   void grid(int panel, const double* u, int count_u, const double* v, int count_v, double* w) const override {
     for (int j = 0; j < count_v; ++j) {
       const auto line = warp_.line(panel, v[j]);
-      for (int i = 0; i < count_u; ++i) w[j * count_u + i] = warp_.point(panel, line, u[i]).weight;
+      for (int i = 0; i < count_u; ++i) w[i * count_v + j] = warp_.point(panel, line, u[i]).weight;
     }
   }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "albedo/warps/ray.hpp"
@@ -88,7 +90,7 @@ class HalfVectorWarp {
     const T far = radius(ray, ray.horizon);
     ray.horizon_x = far * ray.rho;
     const T limit = min(far, T(cut_));
-    const T begin = min(radius(ray, edge(ray, part.from)), limit);
+    const T begin = part.from == Edge::origin ? T(0) : min(radius(ray, edge(ray, part.from)), limit);
     const T end = part.to == Edge::rim ? limit : min(radius(ray, edge(ray, part.to)), limit);
     ray.gap = part.to == Edge::rim ? T(far - limit) : T(far - end);
     if (stretch_) {
@@ -249,40 +251,54 @@ class HalfVectorWarp {
 
   /// The edge t = δ exists for δ > 0, from r = 0 at δ = 0 on; where it is beyond the lobe's end it is left out.
   void split_equal_cosines() {
-    static constexpr int steps = 24;
-    const std::vector<Edge> divided{Edge::origin, Edge::equal_cosines, Edge::rim};
+    static const std::vector<Edge> divided{Edge::origin, Edge::equal_cosines, Edge::rim};
     for (const int side : {1, -1}) {
       if (side < 0 && symmetric_) break;
-      std::vector<S> borders{S(0)};
-      for (int i = 0; i < steps; ++i) {
-        // closer together near ±K, where the edge is short
-        const auto place = [](int k) { return S(1 - square(square(S(steps - k) / steps))); };
-        if (edge_inside(side * place(i)) == edge_inside(side * place(i + 1))) continue;
-        S low = place(i), high = place(i + 1);
-        for (int k = 0; k < 40; ++k) {
-          const S middle = (low + high) / 2;
-          (edge_inside(side * middle) == edge_inside(side * low) ? low : high) = middle;
-        }
-        borders.push_back((low + high) / 2);
-      }
-      borders.push_back(S(1));
+      const std::vector<S> borders = edge_borders(side);
       for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
         const S begin = side * borders[i], end = side * borders[i + 1];
-        const bool inside = edge_inside((begin + end) / 2);
+        const bool inside = edge_margin((begin + end) / 2) > 0;
         add(side > 0 ? Arc<S>{begin, end} : Arc<S>{end, begin}, inside ? divided : whole_ray);
       }
     }
     add_whole({S(1), S(2)}, whole_ray);
   }
 
-  /// Whether the edge t = δ is within the lobe at x = f K.
-  [[nodiscard]] bool edge_inside(const S& f) const {
+  /// 0, where |x| ≤ K has the edge t = δ enter or leave the lobe, and 1.
+  [[nodiscard]] std::vector<S> edge_borders(int side) const {
+    std::vector<S> borders{S(0)};
+    if (alpha_x_ == alpha_y_) {
+      const S cosine = alpha_x_ * tau_of_radius(alpha_x_ * cut_) / tan_alpha_;
+      if (cosine < 1) borders.push_back(turn_.fraction(cosine));
+    } else {
+      static constexpr int steps = 24;
+      S before = edge_margin(S(0));
+      for (int i = 0; i < steps; ++i) {
+        // closer together near ±K, where the edge is short
+        const auto place = [](int k) { return S(1 - square(square(S(steps - k) / steps))); };
+        const S after = edge_margin(side * place(i + 1));
+        if ((before > 0) != (after > 0)) {
+          std::uintmax_t most = 40;
+          const auto border = boost::math::tools::toms748_solve([&](const S& f) { return edge_margin(side * f); },
+                                                                place(i), place(i + 1), before, after,
+                                                                boost::math::tools::eps_tolerance<S>(40), most);
+          borders.push_back((border.first + border.second) / 2);
+        }
+        before = after;
+      }
+    }
+    borders.push_back(S(1));
+    return borders;
+  }
+
+  /// How far within the lobe the edge t = δ is at x = f K.
+  [[nodiscard]] S edge_margin(const S& f) const {
     S cosine, sine, slope;
     turn_.at(f, cosine, sine, slope);
     const S x = alpha_x_ * (cosine * axis_cos_ - sine * axis_sin_),
             y = alpha_y_ * (cosine * axis_sin_ + sine * axis_cos_);
     const S rho = sqrt(square(x) + square(y));
-    return tan_alpha_ * cosine < rho * tau_of_radius(rho * cut_);
+    return rho * tau_of_radius(rho * cut_) - tan_alpha_ * cosine;
   }
 
   /// An isotropic lobe's sectors, from cosφ = 1 down.
@@ -369,7 +385,7 @@ class HalfVectorWarp {
 
   /// Beside the turn's own length: an edge that enters the lobe does so like exp(−r²).
   [[nodiscard]] int azimuth_order(AxisKind kind, double extent, bool edged) const {
-    if (l_.z == 1 && alpha_x_ == alpha_y_) return 4;
+    if (l_.z == 1 && alpha_x_ == alpha_y_) return kind == AxisKind::interval ? 4 : 2;  // all rays are the same
     int order = turn_.order(kind, extent, digits_, 1.2);
     // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
     // facets' planes

@@ -148,6 +148,7 @@ class MirrorLobeWarp {
     }
     int order = turn_.order(kind, extent, digits_, 1.2);
     if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
+    if (axis_sin_ == 0 && kind != AxisKind::interval) order = 2;  // all rays are the same
     panels_.push_back({radial, {kind, divided ? std::max(order, static_cast<int>(1.65 * digits_)) : order}, {}});
   }
 
