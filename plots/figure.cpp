@@ -32,6 +32,9 @@ const std::vector<Figure>& figures() {
   static const std::vector<Figure> list{
       {"neumann-1", "albedo of Phong, Cook-Torrance and Ward against the angle of incidence (Neumann 1999, fig. 1)",
        neumann_1},
+      {"stability", "where each rule fails on each warp: roughness against incidence", stability},
+      {"stability-float", "digits that a formula keeps in float, from invariants and in textbook form",
+       stability_float},
   };
   return list;
 }

@@ -26,6 +26,12 @@ struct Figure {
 /// Neumann, Neumann, Szirmay-Kalos 1999, figure 1.
 Drawing neumann_1(std::string_view name);
 
+/// The stability atlas in double precision: verdicts on every rule and warp.
+Drawing stability(std::string_view name);
+
+/// The stability atlas of the gauss rule on the lobe warp: errors of formulas in float.
+Drawing stability_float(std::string_view name);
+
 /// Every figure.
 const std::vector<Figure>& figures();
 
