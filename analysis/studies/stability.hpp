@@ -64,7 +64,7 @@ struct AtlasOptions {
   std::vector<Warp> warps{};  ///< empty: all
   std::vector<Form> forms{};  ///< empty: all
   double anisotropy = 1000;   ///< of a second surface of each model that can be anisotropic; 1: none
-  std::size_t incidences = 16, widths = 16;
+  std::size_t incidences = 14, widths = 12;
   double tolerance = 1e-4;         ///< of deterministic rules
   double random_tolerance = 1e-2;  ///< of Monte Carlo rules
   std::int64_t budget = 200'000;   ///< for one answer
