@@ -26,6 +26,9 @@ struct Figure {
 /// Neumann, Neumann, Szirmay-Kalos 1999, figure 1.
 Drawing neumann_1(std::string_view name);
 
+/// Speed against accuracy, a page of one model: `tradeoff` of Ward, `tradeoff-MODEL` of another.
+Drawing tradeoff(std::string_view name);
+
 /// The stability atlas in double precision: verdicts on every rule and warp.
 Drawing stability(std::string_view name);
 

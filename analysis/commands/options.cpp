@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <limits>
+#include <sstream>
 #include <string_view>
 
 #include "albedo/core/errors.hpp"
@@ -39,24 +40,51 @@ std::string name_of(const Names& names, E value) {
   return std::string(std::ranges::find_if(names, [&](const auto& entry) { return entry.value == value; })->name);
 }
 
+/// The value of a name. @throws ParameterError that says which there are
+template <class Names>
+auto value_of(const Names& names, const std::string& option, const std::string& text) {
+  const auto found = std::ranges::find_if(names, [&](const auto& entry) { return entry.name == text; });
+  if (found != names.end()) return found->value;
+  std::vector<std::string> valid;
+  for (const auto& entry : names) valid.emplace_back(entry.name);
+  const std::string close = suggestion(text, valid);
+  throw ParameterError(option + " is '" + text + "' and must be one of " + joined(valid, ", ") +
+                       (close.empty() ? "" : "; did you mean '" + close + "'?"));
+}
+
+template <class Names>
+std::string type_name(const Names& names) {
+  std::vector<std::string> valid;
+  for (const auto& entry : names) valid.emplace_back(entry.name);
+  return joined(valid, "|");
+}
+
 /// An option that takes one of several names.
 template <class Names, class E>
 void add_choice(CLI::App& command, const std::string& option, const Names& names, E& target,
                 const std::string& description) {
-  std::vector<std::string> valid;
-  for (const auto& entry : names) valid.emplace_back(entry.name);
-  const auto set = [&names, &target, option, valid](const std::string& text) {
-    const auto found = std::ranges::find_if(names, [&](const auto& entry) { return entry.name == text; });
-    if (found == names.end()) {
-      const std::string close = suggestion(text, valid);
-      throw ParameterError(option + " is '" + text + "' and must be one of " + joined(valid, ", ") +
-                           (close.empty() ? "" : "; did you mean '" + close + "'?"));
-    }
-    target = found->value;
-  };
+  const auto set = [&names, &target, option](const std::string& text) { target = value_of(names, option, text); };
   command.add_option_function<std::string>(option, set, description)
-      ->type_name(joined(valid, "|"))
+      ->type_name(type_name(names))
       ->default_str(name_of(names, target));
+}
+
+/// An option that takes some of several names, with commas between them; given again, it adds to them.
+template <class Names, class E>
+void add_choices(CLI::App& command, const std::string& option, const Names& names, std::vector<E>& target,
+                 const std::string& description) {
+  const auto set = [&names, &target, option](const std::vector<std::string>& lists) {
+    for (const std::string& list : lists) {
+      std::istringstream stream(list.empty() ? "," : list);
+      for (std::string name; std::getline(stream, name, ',');) {
+        const auto value = value_of(names, option, name);
+        if (std::ranges::find(target, value) == target.end()) target.push_back(value);
+      }
+    }
+  };
+  command.add_option_function<std::vector<std::string>>(option, set, description)
+      ->type_name(type_name(names) + "[,...]")
+      ->allow_extra_args(false);
 }
 
 /// An option that takes a whole number within [least, most].
@@ -75,7 +103,35 @@ CLI::Option* add_integer(CLI::App& command, const std::string& option, Integer& 
   return command.add_option_function<std::string>(option, set, description)->type_name("N");
 }
 
+void add_tolerance(CLI::App& command, std::optional<double>& target, const std::string& description) {
+  const auto set = [&target](const std::string& text) {
+    const double value = parse_number("--tolerance", text);
+    if (!(value >= 1e-30 && value < 1))
+      throw ParameterError("--tolerance is " + text + " and must be within [1e-30, 1)");
+    target = value;
+  };
+  command.add_option_function<std::string>("--tolerance", set, description)->type_name("REL");
+}
+
+/// --budget, --precision, --seed, --threads and --json
+template <class Options>
+void add_common(CLI::App& command, Options& options) {
+  add_integer<std::int64_t>(command, "--budget", options.budget, 1, std::numeric_limits<std::int64_t>::max(),
+                            "most evaluations for one direction")
+      ->default_str(std::to_string(options.budget));
+  add_choice(command, "--precision", precision_names, options.precision, "the arithmetic of the model's formula");
+  add_integer<std::uint64_t>(command, "--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                             "of the Monte Carlo rules")
+      ->default_str(std::to_string(options.seed));
+  add_integer(command, "--threads", options.threads, 1, 1024, "default: one a core");
+  command.add_flag("--json", options.json, "print one JSON object");
+}
+
 }  // namespace
+
+std::string name_of(Rule rule) { return name_of(rule_names, rule); }
+std::string name_of(Warp warp) { return name_of(warp_names, warp); }
+std::string name_of(Precision precision) { return name_of(precision_names, precision); }
 
 AlbedoOptions ComputeOptions::albedo() const {
   const double usual = is_monte_carlo(rule) ? 1e-4 : 1e-8;
@@ -99,26 +155,19 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
   add_choice(command, "--rule", rule_names, options.rule, "where the points are");
   add_choice(command, "--warp", warp_names, options.warp,
              "the map they are taken through: the lobe's exact domain, all of V, or the sampling of the model's paper");
-  command
-      .add_option_function<std::string>(
-          "--tolerance",
-          [&options](const std::string& text) {
-            const double value = parse_number("--tolerance", text);
-            if (!(value >= 1e-30 && value < 1))
-              throw ParameterError("--tolerance is " + text + " and must be within [1e-30, 1)");
-            options.tolerance = value;
-          },
-          "relative; default 1e-8, or 1e-4 for stratified, sobol and monte_carlo")
-      ->type_name("REL");
-  add_integer<std::int64_t>(command, "--budget", options.budget, 1, std::numeric_limits<std::int64_t>::max(),
-                            "most evaluations for one direction")
-      ->default_str(std::to_string(options.budget));
-  add_choice(command, "--precision", precision_names, options.precision, "the arithmetic of the model's formula");
-  add_integer<std::uint64_t>(command, "--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
-                             "of the Monte Carlo rules")
-      ->default_str(std::to_string(options.seed));
-  add_integer(command, "--threads", options.threads, 1, 1024, "default: one a core");
-  command.add_flag("--json", options.json, "print one JSON object");
+  add_tolerance(command, options.tolerance, "relative; default 1e-8, or 1e-4 for stratified, sobol and monte_carlo");
+  add_common(command, options);
+}
+
+void add_method_options(CLI::App& command, MethodOptions& options) {
+  add_choices(command, "--rule", rule_names, options.rules, "only these; default: all");
+  add_choices(command, "--warp", warp_names, options.warps, "only these; default: all");
+  add_tolerance(command, options.tolerance, "the last of a ladder; default 1e-12, or 1e-4 for the Monte Carlo rules");
+  add_common(command, options);
+}
+
+void add_repeat(CLI::App& command, int& repeats) {
+  add_integer(command, "--repeat", repeats, 1, 1000, "timings of every run, whose median counts; default 5");
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const std::string& description) {

@@ -13,44 +13,10 @@
 #include "albedo/rules/sobol.hpp"
 #include "albedo/rules/stratified.hpp"
 #include "albedo/rules/tanh_sinh.hpp"
-#include "albedo/warps/half_vector.hpp"
-#include "albedo/warps/hemisphere.hpp"
-#include "albedo/warps/mirror_lobe.hpp"
-#include "core/lobe_integrand.hpp"
-#include "core/paper_integrand.hpp"
+#include "core/integrand_of.hpp"
 
 namespace albedo {
 namespace {
-
-template <class T>
-std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Direction& l,
-                                                   const AlbedoOptions& options) {
-  const bool as_float = options.precision == Precision::float32;
-  std::vector<std::unique_ptr<Integrand<Scalar<T>>>> parts;
-  for (const Lobe& lobe : model.lobes()) {
-    if (options.warp == Warp::paper) {
-      parts.push_back(std::make_unique<PaperIntegrand<T>>(model, lobe, l, options.tolerance, as_float));
-      continue;
-    }
-    const LobeShape shape = options.warp == Warp::hemisphere ? LobeShape::cosine : lobe.shape;
-    switch (shape) {
-      case LobeShape::cosine:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<HemisphereWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-      case LobeShape::mirror:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<MirrorLobeWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-      case LobeShape::half_vector:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-    }
-  }
-  if (parts.size() == 1) return std::move(parts.front());
-  return std::make_unique<SumIntegrand<Scalar<T>>>(std::move(parts));
-}
 
 template <class S>
 Estimate rounded(const EstimateIn<S>& estimate) {
@@ -139,7 +105,7 @@ void require_samplers(const Model& model) {
 
 }  // namespace
 
-Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
+void check(const AlbedoOptions& options) {
   if (!(options.tolerance >= 1e-30 && options.tolerance < 1)) {
     std::ostringstream message;
     message << "tolerance is " << options.tolerance << " and must be within [1e-30, 1)";
@@ -147,10 +113,13 @@ Estimate directional_albedo(const Model& model, const Direction& l, const Albedo
   }
   if (options.budget < 1)
     throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
+}
+
+Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
+  check(options);
   if (model.lobes().empty()) return {};
   if (options.warp == Warp::paper) require_samplers(model);
-  constexpr double grazing = 1e-60;  // no angle in degrees comes closer without being 90
-  return l.cos_theta > grazing ? integrate(model, l, options) : grazing_limit(model, l, options);
+  return l.cos_theta > grazing_cosine ? integrate(model, l, options) : grazing_limit(model, l, options);
 }
 
 }  // namespace albedo

@@ -5,93 +5,13 @@
 #include <limits>
 #include <vector>
 
-#include "rules/dot.hpp"
-#include "rules/nodes.hpp"
+#include "rules/resolution.hpp"
 
 namespace albedo {
 namespace {
 
 using boost::multiprecision::isfinite;
 using std::isfinite;
-
-/// How well an order resolves one axis of a cell, and what another order would do: a parabola through the logarithm of
-/// the expansion's coefficients.
-template <class S>
-struct Resolution {
-  S reading{};  // the error that the decay foretells
-  bool decays = false;
-  double last = 0, log_last = 0, slope = 0,
-         curvature = 0;  // at term `last`: logarithm of the coefficient, its derivatives (both ≤ 0)
-  double fallen = 0;     // what the logarithm has lost up to there
-
-  [[nodiscard]] double log_coefficient(double term) const {
-    const double ahead = term - last;
-    return log_last + ahead * (slope + curvature * ahead / 2);
-  }
-
-  /// Whether twice the nodes would bring little more than another digit: two rules may then agree by accident.
-  [[nodiscard]] bool slow(double n) const {
-    constexpr double little = 3;
-    return !decays || log_error(n) - log_error(2 * n) < little;
-  }
-
-  /// The logarithm of the error of n nodes, which errs by the coefficients from 2n on. The extrapolation is trusted for
-  /// two thirds, and no further than the coefficients have been seen to fall.
-  [[nodiscard]] double log_error(double n) const {
-    const double known = log_coefficient(n - 2);
-    return known + std::max(0.67 * (log_coefficient(2 * n) - known), -1.2 * (fallen + std::max(0.0, log_last - known)));
-  }
-};
-
-/// Reads the error of n nodes off the decay of the expansion of their values.
-template <class S>
-Resolution<S> resolution(const Nodes<S>& nodes, const std::vector<S>& values) {
-  const std::size_t n = static_cast<std::size_t>(nodes.terms), size = values.size();
-  const std::size_t tail = std::min<std::size_t>(n, 3);
-  // envelope: the largest coefficient from a third, from two thirds, and of the last three terms on
-  const std::size_t third = n - tail, second = std::min((n / 3 + third) / 2 + 1, third),
-                    first = std::min(n / 3, second);
-  S envelope[3] = {};
-  for (std::size_t k = n; k-- > first;) {
-    S coefficient = dot(nodes.transform.data() + k * size, values.data(), size);
-    if (coefficient < 0) coefficient = -coefficient;
-    for (const auto& [begin, largest] :
-         {std::pair{first, &envelope[0]}, {second, &envelope[1]}, {third, &envelope[2]}}) {
-      if (k >= begin) *largest = std::max<S>(*largest, coefficient);
-    }
-  }
-  Resolution<S> result;
-  using std::exp;
-  using std::log;
-  if (envelope[2] == 0) {
-    result.decays = true;
-    result.slope = -40;
-    result.fallen = 40;
-    return result;
-  }
-  result.reading = 2 * envelope[2];
-  if (first == second || second == third || !(2 * envelope[2] < envelope[0])) return result;
-  const double l1 = static_cast<double>(log(envelope[0])), l2 = static_cast<double>(log(envelope[1])),
-               l3 = static_cast<double>(log(envelope[2]));
-  const double x1 = static_cast<double>(first), x2 = static_cast<double>(second), x3 = static_cast<double>(third);
-  const double slope1 = (l2 - l1) / (x2 - x1), slope2 = (l3 - l2) / (x3 - x2);
-  const double bend = (slope2 - slope1) / ((x3 - x1) / 2);
-  result.decays = true;
-  result.last = x3 + 1;
-  result.log_last = l3;
-  result.fallen = l1 - l3;
-  if (bend <= 0) {  // geometric, or faster
-    result.curvature = bend;
-    result.slope = slope2 + bend * (x3 - x2) / 2;
-  } else if (slope2 < 0.4 * slope1) {  // nearly geometric
-    result.slope = slope2;
-  } else {  // slower: as a power of the term
-    result.slope = std::max(slope2, (l3 - l1) / std::log((x3 + 1) / (x1 + 1)) / (x3 + 1));
-  }
-  result.reading = std::min<S>(result.reading, exp(S(result.log_error(static_cast<double>(n)))));
-  if (bend > 0) result.reading *= 4;  // a power's tail adds up
-  return result;
-}
 
 /// A ray of a cell's grid that stands for its neighbours when the rule along them is checked.
 template <class S>
@@ -305,8 +225,10 @@ class ProductRule {
     cell.error_u = ratio;
     constexpr int rough = 8;
     if (cell.rough) cell.error_u *= rough;
-    if (cell.u.kind == AxisKind::interval && above_noise(cell, cell.along_u) && cell.along_u.slow(cell.u.order))
-      cell.error_u = std::max(cell.error_u, cell.along_u.reading);
+    constexpr int slow = 4;  // two rules may agree by accident
+    if (cell.u.kind == AxisKind::interval && above_noise(cell, cell.along_u) && cell.along_u.slow(cell.u.order)) {
+      cell.error_u = std::max(cell.error_u, std::min<S>(cell.along_u.reading, slow * cell.error_u));
+    }
   }
 
   static bool above_noise(const Cell<S>& cell, const Resolution<S>& along) {
@@ -321,11 +243,10 @@ class ProductRule {
     for (std::size_t j = 0; j < before.position.size(); ++j) sum += before.weight[j] * cell.rows[j];
     const S change = sum * area - cell.value;
     const S size = change < 0 ? S(-change) : change;
-    constexpr int rough = 16;
+    constexpr int rough = 8;
     const Resolution<S>& now = cell.along_v;
     const int terms = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions).terms;
-    if (above_noise(cell, now) && now.slow(terms)) return std::max<S>(rough * size, now.reading);
-    if (cell.rough) return rough * size;
+    if (cell.rough || (above_noise(cell, now) && now.slow(terms))) return rough * size;
     if (cell.extensions > 2) return size;  // it wasn't as smooth as it had been announced
     // how much of the change the extended rule has left; a third of what its coefficients promise (in digits) is
     // believed
@@ -359,7 +280,8 @@ class ProductRule {
 
   /// The order that should bring an error down to the target; 0 where only bisection will.
   static int raised(int order, int most, const Resolution<S>& now, const S& error, const S& target) {
-    if (!now.decays) return order >= most ? 0 : std::min(most, 1 + order * 3 / 2);
+    if (!now.decays)
+      return order >= most ? 0 : std::min(most, order + std::max(3, isfinite(error) ? order / 4 : order / 2));
     using std::log;
     // a measured error corrects the prediction
     const double surplus = isfinite(error) ? static_cast<double>(log(error)) - now.log_error(order) : 0;

@@ -103,6 +103,21 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{{"table", "--materials", "missing.json", "-o", "x.csv"}, "cannot read 'missing.json'"},
                       Case{{"table", "--materials", ".", "-o", "x.csv"}, "cannot read '.'"}));
 
+INSTANTIATE_TEST_SUITE_P(Tradeoffs, WrongInput,
+                         ::testing::Values(Case{{"tradeoff", "wardd"}, "unknown model 'wardd'; did you mean 'ward'?"},
+                                           Case{{"tradeoff", "n=20"}, "'n=20' comes before any MODEL"},
+                                           Case{{"tradeoff", "phong", "m=20"}, "phong has no"},
+                                           Case{{"tradeoff", "phong", "--rule", "gaus"}, "did you mean 'gauss'?"},
+                                           Case{{"tradeoff", "phong", "--rule", "gauss,,sobol"}, "--rule is ''"},
+                                           Case{{"tradeoff", "phong", "--rule", ""}, "--rule is ''"},
+                                           Case{{"tradeoff", "phong", "--warp", "polar"},
+                                                "one of lobe, hemisphere, paper"},
+                                           Case{{"tradeoff", "phong", "--theta", "90"}, "must be within [0, 90)"},
+                                           Case{{"tradeoff", "phong", "--tolerance", "0"}, "--tolerance is 0"},
+                                           Case{{"tradeoff", "phong", "--repeat", "0"}, "--repeat is '0'"},
+                                           Case{{"tradeoff", "phong", "-o", "x.npy"}, "must end in .csv or .json"},
+                                           Case{{"tradeoff", "phong", "--json", "-o", "-"}, "standard output"}));
+
 /// What a materials file holds, and what is said of it.
 struct BadFile {
   std::string text;

@@ -146,7 +146,7 @@ inline const std::vector<Case>& cases() {
       {"schlick", {{"r", 0.25}, {"p", 0.3}}, 90},
       {"schlick", {{"r", 0.05}, {"p", 0.1}}, 30},
 
-      {"edwards", {}, 0, costly},
+      {"edwards", {}},
       {"edwards", {{"n", 100.0}, {"radius", 0.5}}, 0, costly},
       {"edwards", {{"n", 12.0}, {"radius", 0.3}}, 0, costly},
       {"edwards", {{"n", 1e6}}, 0, costly},

@@ -374,10 +374,10 @@ class HalfVectorWarp {
     // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
     // facets' planes
     if (horizon_layer_ && alpha_x_ != alpha_y_) order *= 3;
-    if (profile_ == Profile::ggx && widest_ > 1.5) order = order * 5 / 2;
+    if (profile_ == Profile::ggx && widest_ > 1.5) order += 2 * static_cast<int>(digits_);
     if (horizon_exponent_ < 0) order += order / 2;
-    if (kind == AxisKind::interval) order += 3;
-    return std::min(edged ? std::max(order, 5 + static_cast<int>(digits_)) : order, 128);
+    if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
+    return std::min(edged ? std::max(order, static_cast<int>(1.65 * digits_)) : order, 128);
   }
 
   /// What is needed at eight digits on a part from edge `begin` on, measured.
@@ -387,7 +387,7 @@ class HalfVectorWarp {
     const double grazing = -std::log(static_cast<double>(l_.z));
     if (profile_ == Profile::ggx) {  // the tail's length, in decades
       const double decades = std::asinh(1 / static_cast<double>(min(alpha_x_, alpha_y_)));
-      nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.6 * grazing + (widest_ > 1.5 ? 22 : 0);
+      nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.6 * grazing + (widest_ > 1.5 ? 28 : 0);
       if (alpha_x_ != alpha_y_) nodes *= 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
       nodes = ends.right == 3 ? 31 : ends.left > 1 ? 26 : 21;

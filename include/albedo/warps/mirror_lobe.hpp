@@ -147,8 +147,8 @@ class MirrorLobeWarp {
       radial = {AxisKind::gaussian, exponent < 16 ? 8 : 5, static_cast<double>(cut_)};
     }
     int order = turn_.order(kind, extent, digits_, 1.2);
-    if (kind == AxisKind::interval) order += 3;
-    panels_.push_back({radial, {kind, divided ? std::max(order, 5 + static_cast<int>(digits_)) : order}, {}});
+    if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
+    panels_.push_back({radial, {kind, divided ? std::max(order, static_cast<int>(1.65 * digits_)) : order}, {}});
   }
 
   /// r of the horizon at x = f K.
