@@ -20,7 +20,7 @@ using analysis::Form;
 using analysis::Surface;
 
 /// "sobol_paper_double": the beginning of a method's columns.
-std::string name_of(const analysis::Method& method) {
+std::string name_of(const analysis::AtlasMethod& method) {
   std::string name(analysis::name_of(method.rule));
   return name.append("_").append(analysis::name_of(method.warp)).append("_").append(analysis::name_of(method.form));
 }
@@ -51,7 +51,7 @@ std::string data(const Atlas& atlas, std::string_view name) {
   csv += " times that)\n# budget: " + std::to_string(options.budget);
   csv += "\n# unit of from_grazing (90 - theta_l) and phi_l: degrees";
   csv += "\nsurface,model,parameter,anisotropy,phi_l,value,height,from_grazing,reference";
-  for (const analysis::Method& method : atlas.methods) {
+  for (const analysis::AtlasMethod& method : atlas.methods) {
     csv.append(",").append(name_of(method)).append("_verdict,").append(name_of(method)) += "_error";
   }
   csv += '\n';

@@ -1,16 +1,13 @@
 #include "analysis/commands/atlas_report.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "albedo/core/errors.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/output/atomic_file.hpp"
-#include "analysis/output/table_document.hpp"
+#include "analysis/output/study_file.hpp"
 #include "analysis/studies/methods.hpp"
 
 namespace albedo::analysis {
@@ -34,7 +31,7 @@ void for_each_answer(const Atlas& atlas, const Write& write) {
         for (std::size_t m = 0; m < atlas.methods.size(); ++m) {
           if (!atlas.applies(s, m)) continue;
           const Answer& answer = atlas.answer(cell, m);
-          const Method& method = atlas.methods[m];
+          const AtlasMethod& method = atlas.methods[m];
           fields = {surface.model,
                     surface.anisotropy,
                     surface.parameter,
@@ -66,9 +63,7 @@ std::string csv_text(const Json& field) {
 }
 
 void write_csv(const Atlas& atlas, const Json& provenance, std::ostream& out) {
-  for (const auto& [key, item] : provenance.items()) {
-    out << "# " << key << ": " << comment_text(item.is_string() ? item : Json(json_text(item))) << '\n';
-  }
+  write_provenance(provenance, out);
   const char* separator = "";
   for (const char* const column : columns) out << separator << column, separator = ",";
   out << '\n';
@@ -88,13 +83,6 @@ void write_json(const Atlas& atlas, const Json& provenance, std::ostream& out) {
     separator = ",\n";
   });
   out << "\n]}\n";
-}
-
-std::string ending_of(const std::string& path) {
-  if (path == "-") return ".csv";
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
 }
 
 }  // namespace
@@ -163,20 +151,12 @@ void write_atlas(const Atlas& atlas, Json provenance, const std::string& path) {
   summary.erase("methods");
   provenance.update(summary);
   AtomicFile file(path);
-  if (ending_of(path) == ".json") {
+  if (is_json_path(path)) {
     write_json(atlas, provenance, file.stream());
   } else {
     write_csv(atlas, provenance, file.stream());
   }
   file.commit();
-}
-
-void check_atlas_path(const std::string& path) {
-  const std::string ending = ending_of(path);
-  if (ending != ".csv" && ending != ".json") {
-    throw ParameterError("--output is '" + path + "' and must end with .csv or .json, or be -");
-  }
-  AtomicFile::check(path);
 }
 
 }  // namespace albedo::analysis

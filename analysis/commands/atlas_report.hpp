@@ -11,7 +11,7 @@ namespace albedo::analysis {
 
 /// How often a method's answers were of each kind.
 struct MethodCount {
-  Method method;
+  AtlasMethod method;
   std::array<std::size_t, all_verdicts.size()> verdicts{};
   std::size_t below = 0, above = 0;  ///< the reference, of the unconverged and the wrong
   double worst = 0;                  ///< the largest |relative error| of a wrong answer; 0: none
@@ -29,8 +29,5 @@ nlohmann::ordered_json atlas_summary(const Atlas& atlas);
 /// "-" is CSV on standard output.
 /// @throws WriteError, ParameterError
 void write_atlas(const Atlas& atlas, nlohmann::ordered_json provenance, const std::string& path);
-
-/// Throws what write_atlas() would throw for this path now.
-void check_atlas_path(const std::string& path);
 
 }  // namespace albedo::analysis

@@ -1,17 +1,16 @@
-#include <algorithm>
-#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/suggestion.hpp"
 #include "analysis/commands/atlas_report.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/honesty_report.hpp"
+#include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/progress.hpp"
 #include "analysis/commands/provenance.hpp"
 #include "analysis/commands/text.hpp"
-#include "analysis/input/value.hpp"
+#include "analysis/output/study_file.hpp"
 #include "analysis/studies/methods.hpp"
 
 namespace albedo::analysis {
@@ -25,54 +24,15 @@ struct Arguments {
   bool is_honesty = false, json = false;
 };
 
-constexpr double largest_count = 1e9;
-
-double parse_within(const std::string& option, const std::string& text, double least, double most, bool whole) {
-  const double value = parse_number(option, text);
-  if (value >= least && value <= most && (!whole || value == std::floor(value))) return value;
-  throw ParameterError(option + " is '" + text + "' and must be a " + (whole ? "whole " : "") + "number within [" +
-                       number_text(least, 6) + ", " + number_text(most, 6) + "]");
-}
-
-template <class Number>
-CLI::Option* add_within(CLI::App& app, const std::string& option, Number& target, double least, double most,
-                        const std::string& description) {
-  const auto set = [&target, option, least, most](const std::string& text) {
-    target = static_cast<Number>(parse_within(option, text, least, most, std::is_integral_v<Number>));
-  };
-  return app.add_option_function<std::string>(option, set, description)
-      ->type_name(std::is_integral_v<Number> ? "N" : "X")
-      ->default_str(number_text(static_cast<double>(target), 6));
-}
-
-/// An option that takes some of several names, separated by commas.
-template <class E, std::size_t N>
-void add_choices(CLI::App& app, const std::string& option, const std::array<E, N>& all, std::vector<E>& target,
-                 const std::string& description) {
-  std::vector<std::string> names;
-  for (const E value : all) names.emplace_back(name_of(value));
-  const auto set = [&target, all, names, option](const std::string& text) {
-    target.clear();
-    for (const std::string& name : CLI::detail::split(text, ',')) {
-      const auto found = std::ranges::find(names, name);
-      if (found == names.end()) {
-        const std::string close = suggestion(name, names);
-        throw ParameterError(option + " is '" + name + "' and must be one of " + joined(names, ", ") +
-                             (close.empty() ? "" : "; did you mean '" + close + "'?"));
-      }
-      target.push_back(all[static_cast<std::size_t>(found - names.begin())]);
-    }
-  };
-  app.add_option_function<std::string>(option, set, description)->type_name(joined(names, "|"))->default_str("all");
-}
+constexpr std::int64_t largest_count = 1'000'000'000;
 
 /// "16x24": directions times widths of the lobe.
 void parse_grid(const std::string& text, AtlasOptions& options) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) throw ParameterError("--grid is '" + text + "' and must be NxM, such as 16x16");
-  constexpr double most = 1000;
-  options.incidences = static_cast<std::size_t>(parse_within("--grid", text.substr(0, cross), 2, most, true));
-  options.widths = static_cast<std::size_t>(parse_within("--grid", text.substr(cross + 1), 2, most, true));
+  constexpr std::size_t least = 2, most = 1000;
+  options.incidences = parse_integer("--grid", text.substr(0, cross), least, most);
+  options.widths = parse_integer("--grid", text.substr(cross + 1), least, most);
 }
 
 int run_honesty(const Arguments& arguments) {
@@ -100,7 +60,7 @@ int run_honesty(const Arguments& arguments) {
 int run_atlas(const Arguments& arguments, const std::string& command_line) {
   if (arguments.output == "-" && arguments.json)
     throw ParameterError("--json and --output - would both use standard output");
-  if (!arguments.output.empty()) check_atlas_path(arguments.output);
+  if (!arguments.output.empty()) check_study_path(arguments.output);
   AtlasOptions options = arguments.atlas;
   if (!arguments.models.empty()) options.models = arguments.models;
   Atlas atlas;
@@ -133,8 +93,8 @@ Command add_stability(CLI::App& program) {
          "models with a roughness or an exponent; default: " + joined(atlas.models, " ") + " (--honesty: all models)")
       ->type_name("");
   app->add_option("-o,--output", arguments->output, "every answer, as .csv or .json")->type_name("FILE");
-  add_choices(*app, "--rule", all_rules, atlas.rules, "rules, separated by commas");
-  add_choices(*app, "--warp", all_warps, atlas.warps, "warps, separated by commas");
+  add_choices(*app, "--rule", all_rules, atlas.rules, "only these; default: all");
+  add_choices(*app, "--warp", all_warps, atlas.warps, "only these; default: all");
   add_choices(*app, "--precision", all_forms, atlas.forms,
               "of the formula: double; float from invariants; float from directions, as in a textbook");
   app->add_option_function<std::string>(
@@ -142,16 +102,20 @@ Command add_stability(CLI::App& program) {
          "directions x roughnesses (or exponents) of a map")
       ->type_name("NxM")
       ->default_str(std::to_string(atlas.incidences) + "x" + std::to_string(atlas.widths));
-  add_within(*app, "--anisotropy", atlas.anisotropy, 1, 1e6,
-             "ratio of the roughnesses or exponents in a second map of a model; 1: no such map");
-  add_within(*app, "--tolerance", atlas.tolerance, 1e-10, 0.1, "relative; asked of the deterministic rules");
-  add_within(*app, "--random-tolerance", atlas.random_tolerance, 1e-10, 0.1, "the same for the Monte Carlo rules");
-  add_within(*app, "--budget", atlas.budget, 1, largest_count, "most evaluations for one answer");
-  add_within(*app, "--seed", atlas.seed, 0, largest_count, "of the Monte Carlo rules, and of --honesty's cases");
-  add_within(*app, "--threads", atlas.threads, 1, 1024, "0 is one a core");
+  add_real(*app, "--anisotropy", atlas.anisotropy, 1, 1e6,
+           "ratio of the roughnesses or exponents in a second map of a model; 1: no such map");
+  add_real(*app, "--tolerance", atlas.tolerance, 1e-10, 0.1, "relative; asked of the deterministic rules");
+  add_real(*app, "--random-tolerance", atlas.random_tolerance, 1e-10, 0.1, "the same for the Monte Carlo rules");
+  add_integer<std::int64_t>(*app, "--budget", atlas.budget, 1, largest_count, "most evaluations for one answer")
+      ->default_str(std::to_string(atlas.budget));
+  add_integer<std::uint64_t>(*app, "--seed", atlas.seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                             "of the Monte Carlo rules, and of --honesty's cases")
+      ->default_str(std::to_string(atlas.seed));
+  add_integer(*app, "--threads", atlas.threads, 1, 1024, "default: one a core");
   app->add_flag("--honesty", arguments->is_honesty,
                 "instead: reported against true errors over random models, parameters and directions");
-  add_within(*app, "--cases", arguments->honesty.cases, 1, largest_count, "of --honesty");
+  add_integer<std::uint64_t>(*app, "--cases", arguments->honesty.cases, 1, largest_count, "of --honesty")
+      ->default_str(std::to_string(arguments->honesty.cases));
   app->add_flag("--json", arguments->json, "print the summary as one JSON object");
   app->footer(
       "The atlas asks every method at incidences from 0 to 90 - 1e-10 degrees and roughnesses from 1e-5 to 5 "

@@ -87,7 +87,7 @@ double tolerance_of(const AtlasOptions& options, Rule rule) {
   return is_monte_carlo(rule) ? options.random_tolerance : options.tolerance;
 }
 
-Answer answer_of(const Model& model, const Direction& l, const Method& method, const Estimate& reference,
+Answer answer_of(const Model& model, const Direction& l, const AtlasMethod& method, const Estimate& reference,
                  const AtlasOptions& options) {
   const double tolerance = tolerance_of(options, method.rule);
   const AlbedoOptions asked{.rule = method.rule,

@@ -52,7 +52,7 @@ struct Surface {
   [[nodiscard]] Parameters parameters(double value) const;
 };
 
-struct Method {
+struct AtlasMethod {
   Rule rule;
   Warp warp;
   Form form;
@@ -85,7 +85,7 @@ struct Atlas {
   AtlasOptions options{};  ///< completed
   std::vector<Surface> surfaces{};
   std::vector<double> from_grazing{};  ///< 90° − θ, from 90° down to 1e-10°
-  std::vector<Method> methods{};
+  std::vector<AtlasMethod> methods{};
   std::vector<Estimate> references{};  ///< [surface][width][incidence]
   std::vector<Answer> answers{};       ///< [surface][width][incidence][method]
 
