@@ -27,8 +27,8 @@ double largest_ratio(const RuleHonesty& rule) { return rule.worst.empty() ? 0 : 
 /// "coverage 66.9 % (nominal 66.7 ± 0.5 %)": the noise is that of so many cases.
 std::string coverage_text(const RuleHonesty& rule, int k) {
   const double nominal = nominal_coverage(rule.rule, k);
-  const double noise = std::sqrt(nominal * (1 - nominal) / static_cast<double>(rule.converged));
-  return percent(share(rule.covered[static_cast<std::size_t>(k - 1)], rule.converged)) + " (" + percent(nominal) +
+  const double noise = std::sqrt(nominal * (1 - nominal) / static_cast<double>(rule.decidable()));
+  return percent(share(rule.covered[static_cast<std::size_t>(k - 1)], rule.decidable())) + " (" + percent(nominal) +
          " +- " + percent(noise, 2) + ")";
 }
 
@@ -51,11 +51,12 @@ void print_honesty(const Honesty& honesty, std::ostream& out) {
       << "; compared with 113 bits: " << honesty.quad_checks << ", refuted: " << honesty.quad_refuted << ".\n\n";
   Rows rows{{"rule", "judged", "converged", "true <= reported", "> 10 x", "largest ratio", "unconverged honest",
              "non-finite"}};
-  Rows coverage{{"rule", "within 1 (nominal)", "within 2", "within 3"}};
+  Rows coverage{{"rule", "answers", "within 1 (nominal)", "within 2", "within 3"}};
   for (const RuleHonesty& rule : honesty.rules) {
     const std::string name(name_of(rule.rule));
     if (is_monte_carlo(rule.rule)) {
-      coverage.push_back({name, coverage_text(rule, 1), coverage_text(rule, 2), coverage_text(rule, 3)});
+      coverage.push_back({name, std::to_string(rule.decidable()), coverage_text(rule, 1), coverage_text(rule, 2),
+                          coverage_text(rule, 3)});
     }
     rows.push_back({name, std::to_string(rule.judged), std::to_string(rule.converged),
                     percent(share(rule.honest, rule.converged), 6), std::to_string(rule.far_off),
@@ -65,7 +66,7 @@ void print_honesty(const Honesty& honesty, std::ostream& out) {
   }
   print_columns(out, rows);
   if (coverage.size() > 1) {
-    out << "\nStandard errors, of what converged:\n";
+    out << "\nStandard errors, of what converged and isn't exact:\n";
     print_columns(out, coverage);
   }
   for (const RuleHonesty& rule : honesty.rules) {
@@ -93,7 +94,8 @@ Json honesty_json(const Honesty& honesty) {
     Json entry{{"rule", name_of(rule.rule)},    {"judged", rule.judged},
                {"converged", rule.converged},   {"honest", rule.honest},
                {"over_10_times", rule.far_off}, {"unconverged_honest", rule.unconverged_honest},
-               {"non_finite", rule.non_finite}, {"covered", rule.covered}};
+               {"non_finite", rule.non_finite}, {"undecidable", rule.undecidable},
+               {"covered", rule.covered}};
     if (is_monte_carlo(rule.rule)) {
       entry["nominal"] = {nominal_coverage(rule.rule, 1), nominal_coverage(rule.rule, 2),
                           nominal_coverage(rule.rule, 3)};

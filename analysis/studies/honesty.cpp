@@ -65,8 +65,13 @@ void judge(RuleHonesty& result, const Estimate& answer, const Estimate& referenc
   ++result.converged;
   result.honest += ratio <= 1 ? 1 : 0;
   result.far_off += ratio <= far ? 0 : 1;
-  for (std::size_t k = 0; k < result.covered.size(); ++k) {
-    result.covered[k] += ratio <= static_cast<double>(k + 1) ? 1 : 0;
+  const double resolution = 10 * reference.error;
+  if (answer.error <= resolution && std::abs(answer.value - reference.value) <= resolution) {
+    ++result.undecidable;
+  } else {
+    for (std::size_t k = 0; k < result.covered.size(); ++k) {
+      result.covered[k] += ratio <= static_cast<double>(k + 1) ? 1 : 0;
+    }
   }
   const double notable = is_monte_carlo(result.rule) ? 5 : 1;
   if (!(ratio <= notable)) keep_worst(result.worst, {index, ratio, answer, reference});

@@ -46,10 +46,14 @@ struct RuleHonesty {
   std::uint64_t converged = 0;             ///< of those, with status converged: all below count these
   std::uint64_t honest = 0;                ///< the true error is at most the reported one
   std::uint64_t far_off = 0;               ///< the true error is more than 10 times the reported one
-  std::array<std::uint64_t, 3> covered{};  ///< the true error is at most 1, 2, 3 times the reported one
+  std::uint64_t undecidable = 0;           ///< true and reported error are both near the reference's own or below
+  std::array<std::uint64_t, 3> covered{};  ///< of the decidable: the true error is at most 1, 2, 3 times the reported
   std::uint64_t unconverged_honest = 0;    ///< of the others: the true error is at most the reported one
   std::uint64_t non_finite = 0;            ///< of the others
   std::vector<Worst> worst{};              ///< with ratios above 1 (Monte Carlo: 5), the worst first; at most 10
+
+  /// Answers that tell whether a standard error is one: black lobes, which every rule gets exactly, don't.
+  [[nodiscard]] std::uint64_t decidable() const { return converged - undecidable; }
 };
 
 struct Honesty {

@@ -31,16 +31,16 @@ std::string width_parameter(const ModelInfo& info) {
 
 /// From the narrowest lobe to the widest, evenly in the logarithm of the roughness or of 1 + exponent.
 std::vector<double> width_values(const Range& range, bool is_exponent, std::size_t count) {
-  const auto [least, most] = is_exponent ? exponents : roughnesses;
+  const Range wanted = is_exponent ? exponents : roughnesses;
+  const double least = std::max(wanted.minimum, range.minimum), most = std::min(wanted.maximum, range.maximum);
   const double shift = is_exponent ? 1 : 0;
-  const double from = std::log(std::max(least, range.minimum) + shift);
-  const double to = std::log(std::min(most, range.maximum) + shift);
-  std::vector<double> values;
-  for (std::size_t i = 0; i < count; ++i) {
+  const double from = std::log(least + shift), to = std::log(most + shift);
+  std::vector<double> values{least};
+  for (std::size_t i = 1; i + 1 < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double value = std::exp(from + (to - from) * share) - shift;
-    values.push_back(std::clamp(value, std::max(least, range.minimum), std::min(most, range.maximum)));
+    values.push_back(std::exp(from + (to - from) * share) - shift);
   }
+  values.push_back(most);
   if (is_exponent) std::ranges::reverse(values);
   return values;
 }
