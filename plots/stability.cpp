@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -85,8 +86,8 @@ std::size_t without_reference(const Atlas& atlas) {
   return count;
 }
 
-/// "Ward, 1000:1"
-std::string title_of(const Surface& surface) {
+/// "Ashikhmin–Shirley", on so many lines
+std::string title_of(const Surface& surface, bool on_two_lines) {
   static const std::vector<std::pair<std::string, std::string>> titles{{"ward", "Ward"},
                                                                        {"cook_torrance", "Cook–Torrance"},
                                                                        {"ggx", "GGX"},
@@ -96,28 +97,29 @@ std::string title_of(const Surface& surface) {
   for (const auto& [model, name] : titles) {
     if (model == surface.model) title = name;
   }
-  if (surface.anisotropy != 1) {
-    analysis::append_number(title += ", ", surface.anisotropy);
-    title += ":1";
-  }
+  constexpr std::string_view dash = "–";
+  const std::size_t place = title.find(dash);
+  if (on_two_lines && place != std::string::npos) title.insert(place + dash.size(), "\\n");
   return title;
 }
 
 void define_list(std::string& gp, const std::string& name, const std::vector<std::string>& items) {
   gp += "array " + name + " = [";
   const char* separator = "";
-  for (const std::string& item : items) gp.append(separator).append("'").append(item).append("'"), separator = ", ";
+  for (const std::string& item : items) gp.append(separator).append("\"").append(item).append("\""), separator = ", ";
   gp += "]\n";
 }
 
 /// Lists and lengths that both scripts draw by: surfaces and the half widths of a cell.
-std::string definitions(const Atlas& atlas) {
+std::string definitions(const Atlas& atlas, bool on_two_lines) {
   std::string gp = "\n# One panel a surface and method; a cell is a box around its place in decades\n";
   std::vector<std::string> titles, letters;
   std::string halves, exponents;
   for (const Surface& surface : atlas.surfaces) {
-    titles.push_back(title_of(surface));
-    letters.emplace_back(surface.is_exponent ? "n" : surface.model == "cook_torrance" ? "m" : "α");
+    titles.push_back(title_of(surface, on_two_lines));
+    std::string letter = surface.is_exponent ? "n" : surface.model == "cook_torrance" ? "m" : "α";
+    if (surface.anisotropy != 1) letter += surface.is_exponent ? "_u" : "_x";
+    letters.push_back(std::move(letter));
     const double step = std::abs(height(surface, surface.values[1]) - height(surface, surface.values[0]));
     halves.append(halves.empty() ? "" : ", ");
     analysis::append_number(halves, step / 2);
@@ -147,16 +149,21 @@ axes_of(s) = is_exponent[s] ? "set yrange [7 + half_height[s] : -half_height[s]]
     ."set ytics out nomirror scale 0.4 offset 0.8, 0 font ',7' ('0' 0, '10^2' 2, '10^4' 4, '10^6' 6)" \
   : "set yrange [-5 - half_height[s] : log10(5) + half_height[s]]; " \
     ."set ytics out nomirror scale 0.4 offset 0.8, 0 font ',7' ('10^{−5}' -5, '10^{−3}' -3, '10^{−1}' -1)"
-x_tics = "set xtics out nomirror scale 0.4 offset 0, 0.5 font ',7' ('1' 0, '10^{−4}' -4, '10^{−8}' -8)"
-no_x_tics = "set xtics out nomirror scale 0.4 ('' 0, '' -4, '' -8)"
+x_tics = "set xtics out nomirror scale 0.4 offset 0, 0.5 font ',7' ('1' 0, '' -3, '10^{−6}' -6, '' -9)"
+no_x_tics = "set xtics out nomirror scale 0.4 ('' 0, '' -3, '' -6, '' -9)"
 no_y_tics(s) = is_exponent[s] ? "set ytics ('' 0, '' 2, '' 4, '' 6)" : "set ytics ('' -5, '' -3, '' -1)"
 )gp";
 
 /// Verdicts of every rule on every warp.
 std::string verdict_script(const Atlas& atlas, std::string_view name) {
-  std::string gp = script_head(name, 17, 22) + definitions(atlas);
+  std::string gp = script_head(name, 17, 22) + definitions(atlas, true);
+  double anisotropy = 1;
+  for (const Surface& surface : atlas.surfaces) anisotropy = std::max(anisotropy, surface.anisotropy);
+  gp += "suffix = '";
+  if (anisotropy != 1) analysis::append_number(gp += ", anisotropy ", anisotropy), gp += ":1";
+  gp += "'\n";
   gp += R"gp(rules = 'gauss cubature kronrod tanh_sinh stratified sobol monte_carlo'
-array rule_titles = ['gauss', 'cubature', 'kronrod', 'tanh-sinh', 'stratified', 'sobol', 'Monte Carlo']
+array rule_titles = ['gauss', 'cubature', 'kronrod', 'tanh-sinh', 'stratified', 'Sobol', 'Monte Carlo']
 warps = 'lobe hemisphere paper'
 array warp_titles = ['on the lobe''s exact domain (warp lobe)', 'on polar angle and azimuth of V (warp hemisphere)', 'on the sampling published with the model (warp paper)']
 
@@ -207,7 +214,7 @@ do for [w = 1:words(warps)] {
       unset label 1
       unset label 3
       if (s == 1) { set label 1 rule_titles[r] at graph 0.5, graph 1.12 center font ',8' }
-      if (s == 1 && r == 1) { set label 3 warp_titles[w] at screen 0.085, screen top + 0.0245 font ',8.5' }
+      if (s == 1 && r == 1) { set label 3 warp_titles[w].suffix at screen 0.085, screen top + 0.0245 font ',8.5' }
       if (s == rows && r == 4 && w == words(warps)) { set xlabel 'degrees from grazing incidence, 90° − {/:Italic θ}_{/:Italic L}' offset 0, 0.8 font ',8' }
       verdict = word(rules, r).'_'.word(warps, w).'_double_verdict'
       error = word(rules, r).'_'.word(warps, w).'_double_error'
@@ -229,7 +236,7 @@ unset output
 
 /// Errors of the formula in float, in both forms.
 std::string error_script(const Atlas& atlas, std::string_view name) {
-  std::string gp = script_head(name, 17, 21) + definitions(atlas);
+  std::string gp = script_head(name, 17, 21) + definitions(atlas, false);
   gp += R"gp(forms = 'double float textbook_float'
 array form_titles = ['double', 'float, from invariants', 'float, textbook form']
 
@@ -256,7 +263,7 @@ plot for [b = 1:8] NaN with boxes linewidth 0.5 dashtype solid fillstyle solid 1
 rows = |surfaces|
 columns = words(forms)
 panel_width = 0.9 / columns
-panel_height = 0.83 / rows
+panel_height = 0.85 / rows
 do for [s = 1:rows] {
   do for [f = 1:columns] {
     set lmargin at screen 0.09 + (f - 1) * panel_width
@@ -289,12 +296,15 @@ unset output
 }  // namespace
 
 Drawing stability(std::string_view name) {
-  const Atlas atlas = analysis::compute_atlas({.models = {"ward", "ggx", "phong"},
-                                               .forms = {Form::float64},
-                                               .anisotropy = 1,
-                                               .incidences = 16,
-                                               .widths = 14,
-                                               .budget = 50'000});
+  AtlasOptions options{.forms = {Form::float64}, .incidences = 16, .widths = 14, .budget = 50'000};
+  if (name == "stability-anisotropic") {
+    options.models = {"ward", "ggx", "ashikhmin_shirley"};
+    options.isotropic = false;
+  } else {
+    options.models = {"ward", "ggx", "phong"};
+    options.anisotropy = 1;
+  }
+  const Atlas atlas = analysis::compute_atlas(options);
   return {.data = data(atlas, name), .script = verdict_script(atlas, name), .unconverged = without_reference(atlas)};
 }
 

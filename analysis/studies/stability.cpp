@@ -56,8 +56,9 @@ std::vector<Surface> surfaces_of(const AtlasOptions& options) {
     surface.is_exponent = range.maximum >= 1e3;
     surface.values = width_values(range, surface.is_exponent, options.widths);
     surface.has_samplers = has_samplers(*make_model(name));
-    surfaces.push_back(surface);
-    if (parameters.size() == 2 && options.anisotropy > 1) {
+    const bool is_anisotropic = parameters.size() == 2 && options.anisotropy > 1;
+    if (options.isotropic || !is_anisotropic) surfaces.push_back(surface);
+    if (is_anisotropic) {
       surface.anisotropy = options.anisotropy;
       surface.phi_degrees = oblique;
       surfaces.push_back(surface);

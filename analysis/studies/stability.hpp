@@ -63,6 +63,7 @@ struct AtlasOptions {
   std::vector<Rule> rules{};  ///< empty: all
   std::vector<Warp> warps{};  ///< empty: all
   std::vector<Form> forms{};  ///< empty: all
+  bool isotropic = true;      ///< with a surface of equal widths of each model that can be anisotropic
   double anisotropy = 1000;   ///< of a second surface of each model that can be anisotropic; 1: none
   std::size_t incidences = 14, widths = 12;
   double tolerance = 1e-4;         ///< of deterministic rules

@@ -100,6 +100,19 @@ INSTANTIATE_TEST_SUITE_P(Atlas, LobeAtlas,
                          [](const auto& instance) { return std::string(name_of(instance.param)); });
 
 /// The gauss rule also says that it is right.
+TEST(Atlas, CanLeaveOutWhatIsIsotropic) {
+  const Atlas atlas = compute_atlas({.models = {"ward", "phong"},
+                                     .rules = {Rule::gauss},
+                                     .warps = {Warp::lobe},
+                                     .forms = {Form::float64},
+                                     .isotropic = false,
+                                     .incidences = 2,
+                                     .widths = 2});
+  ASSERT_EQ(atlas.surfaces.size(), 2U);
+  EXPECT_EQ(atlas.surfaces[0].anisotropy, 1000);
+  EXPECT_EQ(atlas.surfaces[1].model, "phong");
+}
+
 TEST(Atlas, GaussIsRightEverywhere) {
   const Atlas atlas = compute_atlas(
       {.rules = {Rule::gauss}, .warps = {Warp::lobe}, .forms = {Form::float64}, .incidences = 7, .widths = 6});
