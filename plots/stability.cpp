@@ -209,7 +209,7 @@ do for [w = 1:words(warps)] {
       eval (s == rows ? x_tics : no_x_tics)
       unset xlabel
       if (r == 1) {
-        set label 2 surfaces[s].', {/:Italic '.letters[s].'}' at screen 0.022, screen top - 0.45 * panel_height rotate center font ',8'
+        set label 2 surfaces[s].', {/:Italic '.letters[s].'}' at screen 0.017, screen top - 0.45 * panel_height rotate center font ',8'
       } else { unset label 2; eval no_y_tics(s) }
       unset label 1
       unset label 3

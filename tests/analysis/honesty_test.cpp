@@ -71,7 +71,8 @@ void expect_true_errors(const std::vector<Rule>& rules) {
 
 TEST(HonestyStudy, GaussAndKronrodReportErrorsThatAreTrue) { expect_true_errors({Rule::gauss, Rule::kronrod}); }
 
-/// Within four deviations of the binomial noise from what Student's or the normal distribution says.
+/// Within four deviations of the binomial noise from what Student's or the normal distribution says. The error of sobol
+/// is the standard error or a quarter of that of half the points, whichever is larger: it may cover more.
 TEST(HonestyStudy, StandardErrorsCoverWhatTheyShould) {
   const Honesty honesty = sample({Rule::stratified, Rule::sobol, Rule::monte_carlo}, 100'000);
   for (const RuleHonesty& rule : honesty.rules) {
@@ -82,8 +83,10 @@ TEST(HonestyStudy, StandardErrorsCoverWhatTheyShould) {
     for (int k = 1; k <= 3; ++k) {
       const double nominal = nominal_coverage(rule.rule, k);
       const double noise = std::sqrt(nominal * (1 - nominal) / count);
-      EXPECT_NEAR(static_cast<double>(rule.covered[static_cast<std::size_t>(k - 1)]) / count, nominal, 4 * noise)
-          << k << " standard errors, " << context;
+      const double covered = static_cast<double>(rule.covered[static_cast<std::size_t>(k - 1)]) / count;
+      EXPECT_GE(covered, nominal - 4 * noise) << k << " standard errors, " << context;
+      if (rule.rule == Rule::sobol) continue;
+      EXPECT_LE(covered, nominal + 4 * noise) << k << " standard errors, " << context;
     }
   }
 }
