@@ -70,6 +70,8 @@ void expect_true_errors(const std::vector<Rule>& rules) {
 }
 
 TEST(HonestyStudy, GaussAndKronrodReportErrorsThatAreTrue) { expect_true_errors({Rule::gauss, Rule::kronrod}); }
+TEST(HonestyStudy, CubatureReportsErrorsThatAreTrue) { expect_true_errors({Rule::cubature}); }
+TEST(HonestyStudy, TanhSinhReportsErrorsThatAreTrue) { expect_true_errors({Rule::tanh_sinh}); }
 
 /// Within four deviations of the binomial noise from what Student's or the normal distribution says. The error of sobol
 /// is the standard error or a quarter of that of half the points, whichever is larger: it may cover more.

@@ -96,7 +96,7 @@ TEST_P(LobeAtlas, NothingIsSilentlyWrong) {
   EXPECT_EQ(std::ranges::count(atlas.answers, Verdict::unknown, &Answer::verdict), 0);
 }
 INSTANTIATE_TEST_SUITE_P(Atlas, LobeAtlas,
-                         testing::Values(Rule::gauss, Rule::stratified, Rule::sobol, Rule::monte_carlo),
+                         testing::Values(Rule::gauss, Rule::cubature, Rule::stratified, Rule::sobol, Rule::monte_carlo),
                          [](const auto& instance) { return std::string(name_of(instance.param)); });
 
 /// The gauss rule also says that it is right.
