@@ -48,7 +48,8 @@ std::string answer_text(const Worst& worst) {
 void print_honesty(const Honesty& honesty, std::ostream& out) {
   out << "Random cases: " << honesty.options.cases << ", seed " << honesty.options.seed << ", warp "
       << name_of(honesty.options.warp) << ". References that didn't converge: " << honesty.without_reference
-      << "; compared with 113 bits: " << honesty.quad_checks << ", refuted: " << honesty.quad_refuted << ".\n\n";
+      << "; contradicted by kronrod: " << honesty.disputed << "; compared with 113 bits: " << honesty.quad_checks
+      << ", refuted: " << honesty.quad_refuted << ".\n\n";
   Rows rows{{"rule", "judged", "converged", "true <= reported", "> 10 x", "largest ratio", "unconverged honest",
              "non-finite"}};
   Rows coverage{{"rule", "answers", "within 1 (nominal)", "within 2", "within 3"}};
@@ -74,6 +75,12 @@ void print_honesty(const Honesty& honesty, std::ostream& out) {
       out << '\n' << question_text(honesty, rule.rule, worst) << "\n  " << answer_text(worst) << '\n';
     }
   }
+  for (const Worst& worst : honesty.disputes) {
+    out << '\n'
+        << command_of(random_case(honesty.options.seed, worst.index, honesty.options.models))
+        << " --tolerance 1e-12\n  reference " << number_text(worst.answer.value, 15) << ", by --rule kronrod "
+        << number_text(worst.reference.value, 15) << " +- " << number_text(worst.reference.error, 2) << '\n';
+  }
   for (const Worst& worst : honesty.refuted) {
     out << '\n'
         << command_of(random_case(honesty.options.seed, worst.index, honesty.options.models))
@@ -87,6 +94,7 @@ Json honesty_json(const Honesty& honesty) {
               {"warp", name_of(honesty.options.warp)},
               {"models", honesty.options.models},
               {"without_reference", honesty.without_reference},
+              {"disputed", honesty.disputed},
               {"quad_checks", honesty.quad_checks},
               {"quad_refuted", honesty.quad_refuted}};
   object["rules"] = Json::array();

@@ -20,6 +20,7 @@ constexpr double far = 10;
 struct Answers {
   Estimate reference{};
   std::vector<std::optional<Estimate>> by_rule{};  // none where the paper warp can't be had
+  std::optional<Estimate> second{};                // opinion on the reference, where that contradicts it
   std::optional<Estimate> quad{};
 };
 
@@ -35,6 +36,13 @@ Answers answers_of(const RandomCase& question, std::uint64_t index, const Honest
   const auto model = model_of(question);
   const Direction l = Direction::from_degrees(question.theta_degrees, question.phi_degrees);
   Answers answers{.reference = directional_albedo(*model, l, {.tolerance = 1e-12, .budget = 20'000'000})};
+  const Estimate second =
+      directional_albedo(*model, l, {.rule = Rule::kronrod, .tolerance = 1e-10, .budget = 1'000'000});
+  if (second.status == Status::converged && ratio_of(second, answers.reference) > 1) {
+    answers.second = second;
+    answers.reference.error = std::abs(second.value - answers.reference.value);
+    answers.reference.status = Status::rounding_limited;
+  }
   for (const Rule rule : options.rules) {
     std::optional<Estimate>& answer = answers.by_rule.emplace_back();
     if (options.warp == Warp::paper && !has_samplers(*model)) continue;
@@ -127,6 +135,10 @@ Honesty study_honesty(const HonestyOptions& options, const ProgressCallback& pro
       if (all[i].by_rule[r]) judge(result.rules[r], *all[i].by_rule[r], all[i].reference, i);
     }
     check_reference(result, all[i], i);
+    if (!all[i].second) continue;
+    ++result.disputed;
+    const double relative = all[i].reference.error / std::abs(all[i].reference.value);
+    keep_worst(result.disputes, {i, relative, all[i].reference, *all[i].second});
   }
   return result;
 }

@@ -60,13 +60,17 @@ struct Honesty {
   HonestyOptions options{};
   std::vector<RuleHonesty> rules{};
   std::uint64_t without_reference = 0;  ///< cases whose reference didn't converge
+  std::uint64_t disputed = 0;           ///< cases whose reference another rule contradicts; they count as without
+  std::vector<Worst> disputes{};        ///< answer: gauss, reference: kronrod, ratio: the relative distance; at most 10
   std::uint64_t quad_checks = 0;        ///< references compared with 113 bits
   std::uint64_t quad_refuted = 0;       ///< of those, further apart than both errors allow
   std::vector<Worst> refuted{};         ///< answer: the reference, reference: in 113 bits
 };
 
 /// Answers random cases by every rule, and judges them by the gauss rule on the lobe warp in double precision at 1e-12.
-/// That reference's own error is granted to the answers. The same for any number of threads.
+/// That reference's own error is granted to the answers. Since a rule can't testify for itself, the kronrod rule at
+/// 1e-10 is a second opinion; where the two are further apart than both errors, their distance is the reference's
+/// error. The same for any number of threads.
 /// @throws UnknownModel, ParameterError
 Honesty study_honesty(const HonestyOptions& options, const ProgressCallback& progress = {});
 
