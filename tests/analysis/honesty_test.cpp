@@ -59,6 +59,7 @@ std::string worst_of(const RuleHonesty& rule, const HonestyOptions& options) {
 void expect_true_errors(const std::vector<Rule>& rules) {
   const Honesty honesty = sample(rules);
   EXPECT_LE(honesty.without_reference, 20U);
+  EXPECT_LE(honesty.disputed, 1U);  // a subnormal albedo
   for (const RuleHonesty& rule : honesty.rules) {
     const std::string context = name_of(rule.rule) + worst_of(rule, honesty.options);
     EXPECT_GE(rule.judged, 1980U) << context;
