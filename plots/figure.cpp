@@ -37,6 +37,10 @@ const std::vector<Figure>& figures() {
       {"tradeoff-ashikhmin-shirley", "the same for Ashikhmin-Shirley", tradeoff},
       {"tradeoff-phong", "the same for Phong", tradeoff},
       {"tradeoff-ggx", "the same for GGX", tradeoff},
+      {"stability", "where each rule fails on each warp: roughness against incidence", stability},
+      {"stability-anisotropic", "the same for lobes 1000 times as wide one way as the other", stability},
+      {"stability-float", "digits that a formula keeps in float, from invariants and in textbook form",
+       stability_float},
   };
   return list;
 }

@@ -28,5 +28,6 @@ Command add_at(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_table(CLI::App& program);
 Command add_tradeoff(CLI::App& program);
+Command add_stability(CLI::App& program);
 
 }  // namespace albedo::analysis

@@ -50,11 +50,6 @@ void add_method_options(CLI::App& command, MethodOptions& options);
 /// Adds --repeat.
 void add_repeat(CLI::App& command, int& repeats);
 
-/// As on the command line.
-std::string name_of(Rule rule);
-std::string name_of(Warp warp);
-std::string name_of(Precision precision);
-
 /// Adds an option whose value is one finite number.
 CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const std::string& description);
 

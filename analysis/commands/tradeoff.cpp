@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -13,6 +11,7 @@
 #include "analysis/commands/provenance.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/output/atomic_file.hpp"
+#include "analysis/output/study_file.hpp"
 #include "analysis/output/tradeoff_writer.hpp"
 #include "analysis/studies/tradeoff.hpp"
 
@@ -80,17 +79,9 @@ TradeoffRequest request_of(const Arguments& arguments) {
   return request;
 }
 
-std::string ending_of(const std::string& path) {
-  if (path == "-") return ".csv";
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (ending == ".csv" || ending == ".json") return ending;
-  throw ParameterError("output: '" + path + "' must end in .csv or .json");
-}
-
 void write(const nlohmann::ordered_json& provenance, const Tradeoff& study, const std::string& path) {
   AtomicFile file(path);
-  if (ending_of(path) == ".json") {
+  if (is_json_path(path)) {
     file.stream() << json_text(with_cells(provenance, study)) << '\n';
   } else {
     write_csv(provenance, study, file.stream());
@@ -138,10 +129,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   if (arguments.output == "-" && arguments.options.json)
     throw ParameterError("--json and --output - would both use standard output");
   TradeoffRequest request = request_of(arguments);
-  if (!arguments.output.empty()) {
-    static_cast<void>(ending_of(arguments.output));
-    AtomicFile::check(arguments.output);
-  }
+  if (!arguments.output.empty()) check_study_path(arguments.output);
   ProgressBar progress;
   request.progress = [&progress](std::size_t done, std::size_t total) { progress.update(done, total); };
   const Tradeoff study = measure_tradeoff(std::move(request));

@@ -3,10 +3,9 @@
 #include <string>
 
 #include "analysis/commands/model_arguments.hpp"
-#include "analysis/commands/options.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/output/csv_writer.hpp"
-#include "analysis/output/table_document.hpp"
+#include "analysis/output/study_file.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -46,9 +45,7 @@ Json describe(const TradeoffRequest& request) {
 }
 
 void write_csv(const Json& provenance, const Tradeoff& study, std::ostream& out) {
-  for (const auto& [key, item] : provenance.items()) {
-    out << "# " << comment_text(key) << ": " << comment_text(item.is_string() ? item : Json(json_text(item))) << '\n';
-  }
+  write_provenance(provenance, out);
   out << "model,material,theta_deg,rule,warp,tolerance,albedo,true_error,reported_error,error_kind,evaluations,seconds,"
          "status,reference,reference_error\n";
   for (const TradeoffCell& cell : study.cells) {

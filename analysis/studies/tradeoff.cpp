@@ -1,12 +1,8 @@
 #include "analysis/studies/tradeoff.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -39,11 +35,6 @@ std::vector<double> ladder(int steps, double last) {
   }
   tolerances.push_back(last);
   return tolerances;
-}
-
-bool has_samplers(const Model& model) {
-  const std::vector<Lobe> lobes = model.lobes();
-  return std::ranges::all_of(lobes, [&](const Lobe& lobe) { return model.has_sampler(lobe.component); });
 }
 
 /// |difference| in 113 bits, relative to the reference.
@@ -125,33 +116,23 @@ void measure(const Model& model, const Direction& l, const TradeoffRequest& requ
 /// The references of all cells, on several threads.
 void find_references(const std::vector<std::unique_ptr<Model>>& models, const std::vector<Direction>& directions,
                      const TradeoffRequest& request, std::vector<TradeoffCell>& cells) {
-  const int threads = request.threads > 0 ? request.threads : omp_get_max_threads();
-  std::exception_ptr thrown;
-  std::atomic<bool> failed = false;
-  std::atomic<std::size_t> done = 0;
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (failed) continue;
-    try {
-      cells[i].reference = reference_albedo(*models[cells[i].material], directions[i % directions.size()],
-                                            {.tolerance = request.reference_tolerance});
-    } catch (...) {
-#pragma omp critical(albedo_tradeoff)
-      if (!failed.exchange(true)) thrown = std::current_exception();
-    }
-    ++done;
-    if (request.progress && omp_get_thread_num() == 0) request.progress(done, 2 * cells.size());
-  }
-  if (thrown) std::rethrow_exception(thrown);
+  ProgressCallback progress;
+  if (request.progress) progress = [&](std::size_t done, std::size_t count) { request.progress(done, 2 * count); };
+  in_parallel(
+      cells.size(), request.threads,
+      [&](std::size_t i) {
+        cells[i].reference = reference_albedo(*models[cells[i].material], directions[i % directions.size()],
+                                              {.tolerance = request.reference_tolerance});
+      },
+      progress);
 }
 
 }  // namespace
 
 TradeoffRequest default_tradeoff(double last, double last_random) {
   TradeoffRequest request;
-  request.rules = {Rule::gauss,      Rule::cubature, Rule::kronrod,    Rule::tanh_sinh,
-                   Rule::stratified, Rule::sobol,    Rule::monte_carlo};
-  request.warps = {Warp::lobe, Warp::hemisphere, Warp::paper};
+  request.rules.assign(all_rules.begin(), all_rules.end());
+  request.warps.assign(all_warps.begin(), all_warps.end());
   request.tolerances = ladder(1, last);
   request.random_tolerances = ladder(2, last_random);
   return request;

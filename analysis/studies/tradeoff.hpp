@@ -10,6 +10,8 @@
 
 #include "albedo/directional_albedo.hpp"
 #include "albedo/reference.hpp"
+#include "analysis/studies/methods.hpp"
+#include "analysis/studies/parallel.hpp"
 
 namespace albedo::analysis {
 
@@ -18,14 +20,6 @@ struct Material {
   std::string model{};
   std::string label{};
   Parameters parameters{};
-};
-
-/// A rule on a warp.
-struct Method {
-  Rule rule = Rule::gauss;
-  Warp warp = Warp::lobe;
-
-  bool operator==(const Method&) const = default;
 };
 
 /// What is to be measured.
@@ -43,7 +37,7 @@ struct TradeoffRequest {
   int repeats = 5;                     ///< of every timing; runs of more than a millisecond, half of them
   double reference_tolerance = 1e-15;  ///< of the reference, relative
   int threads = 0;                     ///< for the references, which aren't timed; 0: as many as OpenMP would use
-  std::function<void(std::size_t done, std::size_t total)> progress{};  ///< called from the calling thread
+  ProgressCallback progress{};         ///< called from the calling thread
 };
 
 /// All rules on all warps, no materials; tolerances from 0.1 down to the last in steps of a digit, or half a digit for

@@ -277,6 +277,28 @@ TEST_F(Figures, OfTheTradeoffShowWhatWasMeasured) {
   }
 }
 
+TEST_F(Figures, OfTheStabilityAtlasShowEveryCell) {
+  if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome list = run("--list");
+  for (const char* const name : {"\nstability ", "\nstability-anisotropic ", "\nstability-float "}) {
+    EXPECT_TRUE(contains(list.out, name)) << list.out;
+  }
+  const Outcome outcome = run("stability-float --format png --output out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(names(), (Names{"stability-float.csv", "stability-float.gp", "stability-float.png"}));
+  const std::string data = read(directory_ / "out/stability-float.csv");
+  const std::string script = read(directory_ / "out/stability-float.gp");
+  EXPECT_EQ(std::ranges::count(data.substr(data.find("\nsurface,") + 1), '\n'), 1 + 5 * 25 * 20);
+  EXPECT_TRUE(contains(data, "# command: albedo-figures stability-float\n"));
+  for (const char* const form : {"double", "float", "textbook_float"}) {
+    EXPECT_TRUE(contains(data, ",gauss_lobe_" + std::string(form) + "_verdict,gauss_lobe_" + form + "_error")) << form;
+  }
+  for (const char* const part : {"degrees from grazing incidence", "Ashikhmin–Shirley", "NaN or infinity"}) {
+    EXPECT_TRUE(contains(script, part)) << part;
+  }
+}
+
 TEST_F(Figures, CanBeDrawnAgainFromTheirFiles) {
   if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_EQ(run("neumann-1 --format png --output out").exit_code, 0);
