@@ -1,12 +1,13 @@
 # Flags, as interface targets. Only albedo_arithmetic is part of the installed package.
 
-# albedo_arithmetic: everything that decides a number's last digits or an Eigen object's layout.
+# albedo_arithmetic: everything that decides a number's last digits or a block's layout.
 #
-# The models are templates in public headers, and blocks of Eigen arrays pass between a user's code and the library. So these flags are a
-# public property of the target, when installed too: the linker may keep a user's copy of a formula in place of the library's, and
-# Eigen's alignment follows the instruction set. A native build serves the machine it was built on; packages turn ALBEDO_NATIVE off.
-#   -ffp-contract=off   a formula rounds the same wherever the compiler inlines it (Eigen's own exp and log ask for fused operations by
-#                       name and keep them)
+# The models are templates in public headers, and blocks of the machine's vectors pass between a user's code and the library. So these
+# flags are a public property of the target, when installed too: the linker may keep a user's copy of a formula in place of the
+# library's, and how a block is passed follows the instruction set. A native build serves the machine it was built on; packages turn
+# ALBEDO_NATIVE off.
+#   -ffp-contract=off   a formula rounds the same wherever the compiler inlines it (a block's own exp and log ask for fused operations
+#                       by name and keep them)
 #   -fno-math-errno     sqrt becomes one instruction; no value changes
 # Never -ffast-math: it makes NaN and infinity unobservable, and they are findings here.
 add_library(albedo_arithmetic INTERFACE)

@@ -32,6 +32,15 @@ const std::vector<Figure>& figures() {
   static const std::vector<Figure> list{
       {"neumann-1", "albedo of Phong, Cook-Torrance and Ward against the angle of incidence (Neumann 1999, fig. 1)",
        neumann_1},
+      {"tradeoff", "error against time and evaluations, by rule and warp: Ward, smooth and rough", tradeoff},
+      {"tradeoff-cook-torrance", "the same for Cook-Torrance", tradeoff},
+      {"tradeoff-ashikhmin-shirley", "the same for Ashikhmin-Shirley", tradeoff},
+      {"tradeoff-phong", "the same for Phong", tradeoff},
+      {"tradeoff-ggx", "the same for GGX", tradeoff},
+      {"stability", "where each rule fails on each warp: roughness against incidence", stability},
+      {"stability-anisotropic", "the same for lobes 1000 times as wide one way as the other", stability},
+      {"stability-float", "digits that a formula keeps in float, from invariants and in textbook form",
+       stability_float},
   };
   return list;
 }

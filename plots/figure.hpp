@@ -26,6 +26,16 @@ struct Figure {
 /// Neumann, Neumann, Szirmay-Kalos 1999, figure 1.
 Drawing neumann_1(std::string_view name);
 
+/// Speed against accuracy, a page of one model: `tradeoff` of Ward, `tradeoff-MODEL` of another.
+Drawing tradeoff(std::string_view name);
+
+/// The stability atlas in double precision: verdicts on every rule and warp. `stability` of isotropic lobes,
+/// `stability-anisotropic` of those 1000 times as wide one way as the other.
+Drawing stability(std::string_view name);
+
+/// The stability atlas of the gauss rule on the lobe warp: errors of formulas in float.
+Drawing stability_float(std::string_view name);
+
 /// Every figure.
 const std::vector<Figure>& figures();
 

@@ -45,7 +45,7 @@ std::vector<Result> compute(const Model& model, const Arguments& arguments) {
     const Direction l = Direction::from_degrees(theta, arguments.phi);
     const Estimate estimate = directional_albedo(model, l, arguments.options.albedo());
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    results.push_back({theta, estimate, seconds, model.coherent_albedo(l)});
+    results.push_back({theta, estimate, seconds, static_cast<double>(model.coherent_albedo(l))});
     progress.update(results.size(), arguments.thetas.size());
   }
   return results;

@@ -27,5 +27,7 @@ Command add_models(CLI::App& program);
 Command add_at(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_table(CLI::App& program);
+Command add_tradeoff(CLI::App& program);
+Command add_stability(CLI::App& program);
 
 }  // namespace albedo::analysis

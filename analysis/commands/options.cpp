@@ -1,75 +1,43 @@
 #include "analysis/commands/options.hpp"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <limits>
-#include <string_view>
 
 #include "albedo/core/errors.hpp"
+#include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/input/value.hpp"
 
 namespace albedo::analysis {
 namespace {
 
-template <class E>
-struct Name {
-  std::string_view name;
-  E value;
-};
-template <class E>
-Name(std::string_view, E) -> Name<E>;
-
-constexpr std::array rule_names{Name{"gauss", Rule::gauss}, Name{"cubature", Rule::cubature},
-                                Name{"stratified", Rule::stratified}};
-constexpr std::array warp_names{Name{"lobe", Warp::lobe}, Name{"hemisphere", Warp::hemisphere}};
-constexpr std::array precision_names{Name{"double", Precision::float64}, Name{"float", Precision::float32},
-                                     Name{"quad", Precision::quad}};
-
-template <class Names, class E>
-std::string name_of(const Names& names, E value) {
-  return std::string(std::ranges::find_if(names, [&](const auto& entry) { return entry.value == value; })->name);
-}
-
-/// An option that takes one of several names.
-template <class Names, class E>
-void add_choice(CLI::App& command, const std::string& option, const Names& names, E& target,
-                const std::string& description) {
-  std::vector<std::string> valid;
-  for (const auto& entry : names) valid.emplace_back(entry.name);
-  const auto set = [&names, &target, option, valid](const std::string& text) {
-    const auto found = std::ranges::find_if(names, [&](const auto& entry) { return entry.name == text; });
-    if (found == names.end()) {
-      throw ParameterError(option + " is '" + text + "' and must be one of " + joined(valid, ", "));
-    }
-    target = found->value;
-  };
-  command.add_option_function<std::string>(option, set, description)
-      ->type_name(joined(valid, "|"))
-      ->default_str(name_of(names, target));
-}
-
-/// An option that takes a whole number within [least, most].
-template <class Integer>
-CLI::Option* add_integer(CLI::App& command, const std::string& option, Integer& target, Integer least, Integer most,
-                         const std::string& description) {
-  const auto set = [&target, option, least, most](const std::string& text) {
-    Integer value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
-      throw ParameterError(option + " is '" + text + "' and must be a whole number within [" + std::to_string(least) +
-                           ", " + std::to_string(most) + "]");
-    }
+void add_tolerance(CLI::App& command, std::optional<double>& target, const std::string& description) {
+  const auto set = [&target](const std::string& text) {
+    const double value = parse_number("--tolerance", text);
+    if (!(value >= 1e-30 && value < 1))
+      throw ParameterError("--tolerance is " + text + " and must be within [1e-30, 1)");
     target = value;
   };
-  return command.add_option_function<std::string>(option, set, description)->type_name("N");
+  command.add_option_function<std::string>("--tolerance", set, description)->type_name("REL");
+}
+
+/// --budget, --precision, --seed, --threads and --json
+template <class Options>
+void add_common(CLI::App& command, Options& options) {
+  add_integer<std::int64_t>(command, "--budget", options.budget, 1, std::numeric_limits<std::int64_t>::max(),
+                            "most evaluations for one direction")
+      ->default_str(std::to_string(options.budget));
+  add_choice(command, "--precision", all_precisions, options.precision, "the arithmetic of the model's formula");
+  add_integer<std::uint64_t>(command, "--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
+                             "of the Monte Carlo rules")
+      ->default_str(std::to_string(options.seed));
+  add_integer(command, "--threads", options.threads, 1, 1024, "default: one a core");
+  command.add_flag("--json", options.json, "print one JSON object");
 }
 
 }  // namespace
 
 AlbedoOptions ComputeOptions::albedo() const {
-  const double usual = rule == Rule::stratified ? 1e-4 : 1e-8;
+  const double usual = is_monte_carlo(rule) ? 1e-4 : 1e-8;
   return {.rule = rule,
           .warp = warp,
           .precision = precision,
@@ -79,37 +47,45 @@ AlbedoOptions ComputeOptions::albedo() const {
 }
 
 void ComputeOptions::describe(nlohmann::ordered_json& object) const {
-  object["rule"] = name_of(rule_names, rule);
-  object["warp"] = name_of(warp_names, warp);
+  object["rule"] = name_of(rule);
+  object["warp"] = name_of(warp);
   object["tolerance"] = albedo().tolerance;
-  object["precision"] = name_of(precision_names, precision);
-  if (rule == Rule::stratified) object["seed"] = seed;
+  object["precision"] = name_of(precision);
+  if (is_monte_carlo(rule)) object["seed"] = seed;
 }
 
 void add_compute_options(CLI::App& command, ComputeOptions& options) {
-  add_choice(command, "--rule", rule_names, options.rule, "where the points are");
-  add_choice(command, "--warp", warp_names, options.warp,
-             "the map they are taken through: the lobe's exact domain or all of V");
-  command
-      .add_option_function<std::string>(
-          "--tolerance",
-          [&options](const std::string& text) {
-            const double value = parse_number("--tolerance", text);
-            if (!(value >= 1e-30 && value < 1))
-              throw ParameterError("--tolerance is " + text + " and must be within [1e-30, 1)");
-            options.tolerance = value;
-          },
-          "relative; default 1e-8, or 1e-4 for stratified")
-      ->type_name("REL");
-  add_integer<std::int64_t>(command, "--budget", options.budget, 1, std::numeric_limits<std::int64_t>::max(),
-                            "most evaluations for one direction")
-      ->default_str(std::to_string(options.budget));
-  add_choice(command, "--precision", precision_names, options.precision, "the arithmetic of the model's formula");
-  add_integer<std::uint64_t>(command, "--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
-                             "of the stratified rule")
-      ->default_str(std::to_string(options.seed));
-  add_integer(command, "--threads", options.threads, 1, 1024, "default: one a core");
-  command.add_flag("--json", options.json, "print one JSON object");
+  add_choice(command, "--rule", all_rules, options.rule, "where the points are");
+  add_choice(command, "--warp", all_warps, options.warp,
+             "the map they are taken through: the lobe's exact domain, all of V, or the sampling of the model's paper");
+  add_tolerance(command, options.tolerance, "relative; default 1e-8, or 1e-4 for stratified, sobol and monte_carlo");
+  add_common(command, options);
+}
+
+void add_method_options(CLI::App& command, MethodOptions& options) {
+  add_choices(command, "--rule", all_rules, options.rules, "only these; default: all");
+  add_choices(command, "--warp", all_warps, options.warps, "only these; default: all");
+  add_tolerance(command, options.tolerance, "the last of a ladder; default 1e-12, or 1e-4 for the Monte Carlo rules");
+  add_common(command, options);
+}
+
+void add_repeat(CLI::App& command, int& repeats) {
+  add_integer(command, "--repeat", repeats, 1, 1000, "timings of every run, whose median counts; default 5");
+}
+
+CLI::Option* add_real(CLI::App& command, const std::string& option, double& target, double least, double most,
+                      const std::string& description) {
+  const auto set = [&target, option, least, most](const std::string& text) {
+    const double value = parse_number(option, text);
+    if (!(value >= least && value <= most)) {
+      throw ParameterError(option + " is " + text + " and must be within [" + number_text(least, 6) + ", " +
+                           number_text(most, 6) + "]");
+    }
+    target = value;
+  };
+  return command.add_option_function<std::string>(option, set, description)
+      ->type_name("X")
+      ->default_str(number_text(target, 6));
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const std::string& description) {

@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "albedo/directional_albedo.hpp"
 
@@ -29,6 +31,24 @@ struct ComputeOptions {
 /// Adds --rule, --warp, --tolerance, --budget, --precision, --seed, --threads and --json; `options` must outlive the
 /// parsing. While parsing, a value that is malformed or out of range throws a ParameterError.
 void add_compute_options(CLI::App& command, ComputeOptions& options);
+
+/// The same for what compares several rules and warps.
+struct MethodOptions {
+  std::vector<Rule> rules{};  ///< empty: all
+  std::vector<Warp> warps{};
+  Precision precision = Precision::float64;
+  std::optional<double> tolerance{};
+  std::int64_t budget = 400'000;
+  std::uint64_t seed = AlbedoOptions{}.seed;
+  int threads = 0;
+  bool json = false;
+};
+
+/// Adds --rule, --warp (lists), --tolerance, --budget, --precision, --seed, --threads and --json.
+void add_method_options(CLI::App& command, MethodOptions& options);
+
+/// Adds --repeat.
+void add_repeat(CLI::App& command, int& repeats);
 
 /// Adds an option whose value is one finite number.
 CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const std::string& description);

@@ -10,5 +10,6 @@
 #include "albedo/core/model.hpp"
 #include "albedo/curve.hpp"
 #include "albedo/directional_albedo.hpp"
+#include "albedo/reference.hpp"
 #include "albedo/table.hpp"
 #include "albedo/version.hpp"

@@ -6,13 +6,20 @@
 
 namespace albedo {
 
-enum class Rule { gauss, cubature, stratified };
+/// Where the points are in the unit square, and what the error is; each is described in rules/.
+enum class Rule { gauss, cubature, kronrod, tanh_sinh, stratified, sobol, monte_carlo };
+
+/// Whether a rule's points are random, and its error a standard error.
+constexpr bool is_monte_carlo(Rule rule) {
+  return rule == Rule::stratified || rule == Rule::sobol || rule == Rule::monte_carlo;
+}
 
 /// Which map from the unit square the rule works on.
 enum class Warp {
   lobe,        ///< the exact domain of each of the model's lobes
   hemisphere,  ///< cosθ_V and azimuth; an elongated lobe or one that reaches the horizon never counts as converged
                ///< there
+  paper,       ///< the sampling published with the model, weight 0 below the horizon
 };
 
 /// The arithmetic that a model's formula is evaluated in. `quad` sums in 113 bits too with the gauss rule.
@@ -24,7 +31,7 @@ struct AlbedoOptions {
   Precision precision = Precision::float64;
   double tolerance = 1e-8;          ///< relative
   std::int64_t budget = 2'000'000;  ///< most evaluations
-  std::uint64_t seed = 1;           ///< of the stratified rule
+  std::uint64_t seed = 1;           ///< of the Monte Carlo rules
 };
 
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V, the fraction of the light from L that is reflected   [Neumann
@@ -32,7 +39,8 @@ struct AlbedoOptions {
 ///
 /// At grazing incidence (θ = 90°, cosθ below 1e-60) it is the limit from above the horizon, or status `divergent` with
 /// an infinite value.
-/// @throws ParameterError unless the tolerance is within [1e-30, 1) and the budget positive.
+/// @throws ParameterError unless the tolerance is within [1e-30, 1) and the budget positive; for Warp::paper also where
+/// a lobe of the model has no sampler.
 Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options = {});
 
 }  // namespace albedo

@@ -85,17 +85,16 @@ Parameters SumModel::parameters() const {
   return values;
 }
 
-double SumModel::coherent_albedo(const Direction& l) const {
-  double sum = 0;
-  for (const Part& part : parts_) sum += part.weight * part.model->coherent_albedo(l);
+Quad SumModel::coherent_albedo(const Direction& l) const {
+  Quad sum = 0;
+  for (const Part& part : parts_) sum += Quad(part.weight) * part.model->coherent_albedo(l);
   return sum;
 }
 
 template <class T>
 T SumModel::weighted(int component, const DirectionPair<T>& pair) const {
-  const Source& source = sources_[static_cast<std::size_t>(component)];
-  const Part& part = parts_[source.part];
-  return T(static_cast<Scalar<T>>(part.weight)) * part.model->evaluate(source.component, pair);
+  const Source& from = source(component);
+  return T(static_cast<Scalar<T>>(parts_[from.part].weight)) * model(from).evaluate(from.component, pair);
 }
 
 Block SumModel::evaluate(int component, const DirectionPair<Block>& pair) const noexcept {
@@ -108,5 +107,27 @@ float SumModel::evaluate(int component, const DirectionPair<float>& pair) const 
   return weighted(component, pair);
 }
 Quad SumModel::evaluate(int component, const DirectionPair<Quad>& pair) const { return weighted(component, pair); }
+
+bool SumModel::has_sampler(int component) const noexcept {
+  const Source& from = source(component);
+  return model(from).has_sampler(from.component);
+}
+Sampled<Block> SumModel::sample(int component, const UnitVector<Block>& l, const Block& u,
+                                const Block& v) const noexcept {
+  const Source& from = source(component);
+  return model(from).sample(from.component, l, u, v);
+}
+Sampled<double> SumModel::sample(int component, const UnitVector<double>& l, double u, double v) const noexcept {
+  const Source& from = source(component);
+  return model(from).sample(from.component, l, u, v);
+}
+Sampled<Quad> SumModel::sample(int component, const UnitVector<Quad>& l, const Quad& u, const Quad& v) const {
+  const Source& from = source(component);
+  return model(from).sample(from.component, l, u, v);
+}
+double SumModel::density(int component, const UnitVector<double>& l, const UnitVector<double>& v) const noexcept {
+  const Source& from = source(component);
+  return model(from).density(from.component, l, v);
+}
 
 }  // namespace albedo

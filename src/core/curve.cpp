@@ -38,7 +38,7 @@ class Samples {
  public:
   Samples(const Model& model, const CurveOptions& options) : model_(model), options_(options) {
     // A Monte Carlo rule pays with the square of what it is asked for.
-    const double share = options.albedo.rule == Rule::stratified ? 2 : 16, tolerance = options.albedo.tolerance;
+    const double share = is_monte_carlo(options.albedo.rule) ? 2 : 16, tolerance = options.albedo.tolerance;
     options_.albedo.tolerance = std::max(tolerance / share, std::min(1e-13, tolerance));
   }
 

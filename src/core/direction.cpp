@@ -3,6 +3,7 @@
 #include <boost/math/special_functions/cos_pi.hpp>
 #include <boost/math/special_functions/sin_pi.hpp>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "albedo/core/errors.hpp"
@@ -59,6 +60,19 @@ T brdf(const Model& model, const Direction& l, const Direction& v) {
     sum += model.evaluate(lobe.component, direction_pair(light, unit_vector<T>(v), lobe_axis(lobe, light)));
   }
   return sum;
+}
+
+Sampled<Block> Model::sample(int, const UnitVector<Block>&, const Block&, const Block&) const noexcept {
+  return Sampled<Block>::none();
+}
+Sampled<double> Model::sample(int, const UnitVector<double>&, double, double) const noexcept {
+  return Sampled<double>::none();
+}
+Sampled<Quad> Model::sample(int, const UnitVector<Quad>&, const Quad&, const Quad&) const {
+  return Sampled<Quad>::none();
+}
+double Model::density(int, const UnitVector<double>&, const UnitVector<double>&) const noexcept {
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 template double brdf<double>(const Model&, const Direction&, const Direction&);

@@ -8,45 +8,15 @@
 #include "albedo/core/errors.hpp"
 #include "albedo/rules/cubature.hpp"
 #include "albedo/rules/gauss.hpp"
+#include "albedo/rules/kronrod.hpp"
+#include "albedo/rules/monte_carlo.hpp"
+#include "albedo/rules/sobol.hpp"
 #include "albedo/rules/stratified.hpp"
-#include "albedo/warps/half_vector.hpp"
-#include "albedo/warps/hemisphere.hpp"
-#include "albedo/warps/mirror_lobe.hpp"
-#include "albedo/warps/near_mirror.hpp"
-#include "core/lobe_integrand.hpp"
+#include "albedo/rules/tanh_sinh.hpp"
+#include "core/integrand_of.hpp"
 
 namespace albedo {
 namespace {
-
-template <class T>
-std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Direction& l,
-                                                   const AlbedoOptions& options) {
-  const bool as_float = options.precision == Precision::float32;
-  std::vector<std::unique_ptr<Integrand<Scalar<T>>>> parts;
-  for (const Lobe& lobe : model.lobes()) {
-    const LobeShape shape = options.warp == Warp::hemisphere ? LobeShape::cosine : lobe.shape;
-    switch (shape) {
-      case LobeShape::cosine:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<HemisphereWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-      case LobeShape::mirror:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<MirrorLobeWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-      case LobeShape::half_vector:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-      case LobeShape::near_mirror:
-        parts.push_back(
-            std::make_unique<LobeIntegrand<NearMirrorWarp, T>>(model, lobe, l, options.tolerance, as_float));
-        break;
-    }
-  }
-  if (parts.size() == 1) return std::move(parts.front());
-  return std::make_unique<SumIntegrand<Scalar<T>>>(std::move(parts));
-}
 
 template <class S>
 Estimate rounded(const EstimateIn<S>& estimate) {
@@ -63,6 +33,26 @@ Estimate believed(Estimate estimate, const Integrand<S>& integrand) {
   return estimate;
 }
 
+Estimate applied(Rule rule, const Integrand<double>& integrand, const RuleOptions& options) {
+  switch (rule) {
+    case Rule::gauss:
+      return rounded(gauss(integrand, options));
+    case Rule::cubature:
+      return cubature(integrand, options);
+    case Rule::kronrod:
+      return kronrod(integrand, options);
+    case Rule::tanh_sinh:
+      return tanh_sinh(integrand, options);
+    case Rule::stratified:
+      return stratified(integrand, options);
+    case Rule::sobol:
+      return sobol(integrand, options);
+    case Rule::monte_carlo:
+      break;
+  }
+  return monte_carlo(integrand, options);
+}
+
 Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& options) {
   const RuleOptions rule{options.tolerance, options.budget, options.seed};
   if (options.precision == Precision::quad && options.rule == Rule::gauss) {
@@ -72,10 +62,7 @@ Estimate integrate(const Model& model, const Direction& l, const AlbedoOptions& 
   const std::unique_ptr<Integrand<double>> integrand =
       options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
                                            : integrand_of<Block>(model, l, options);
-  const Estimate estimate = options.rule == Rule::gauss      ? rounded(gauss(*integrand, rule))
-                            : options.rule == Rule::cubature ? cubature(*integrand, rule)
-                                                             : stratified(*integrand, rule);
-  return believed(estimate, *integrand);
+  return believed(applied(options.rule, *integrand, rule), *integrand);
 }
 
 /// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
@@ -127,9 +114,17 @@ Estimate with_coherent_part(Estimate estimate, double coherent, double tolerance
   return estimate;
 }
 
+void require_samplers(const Model& model) {
+  for (const Lobe& lobe : model.lobes()) {
+    if (model.has_sampler(lobe.component)) continue;
+    throw ParameterError("warp is 'paper' and " + model.info().name +
+                         " has no sampler for one of its lobes: it must be 'lobe' or 'hemisphere'");
+  }
+}
+
 }  // namespace
 
-Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
+void check(const AlbedoOptions& options) {
   if (!(options.tolerance >= 1e-30 && options.tolerance < 1)) {
     std::ostringstream message;
     message << "tolerance is " << options.tolerance << " and must be within [1e-30, 1)";
@@ -137,11 +132,15 @@ Estimate directional_albedo(const Model& model, const Direction& l, const Albedo
   }
   if (options.budget < 1)
     throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
-  constexpr double grazing = 1e-60;  // no angle in degrees comes closer without being 90
-  const Estimate integral = model.lobes().empty()   ? Estimate{}
-                            : l.cos_theta > grazing ? integrate(model, l, options)
-                                                    : grazing_limit(model, l, options);
-  const double coherent = model.coherent_albedo(l);
+}
+
+Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {
+  check(options);
+  if (options.warp == Warp::paper) require_samplers(model);
+  const Estimate integral = model.lobes().empty()          ? Estimate{}
+                            : l.cos_theta > grazing_cosine ? integrate(model, l, options)
+                                                           : grazing_limit(model, l, options);
+  const double coherent = static_cast<double>(model.coherent_albedo(l));
   return coherent == 0 ? integral : with_coherent_part(integral, coherent, options.tolerance);
 }
 

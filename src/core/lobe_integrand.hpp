@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 
 #include "albedo/core/integrand.hpp"
 #include "albedo/core/model.hpp"
 #include "albedo/warps/sample.hpp"
+#include "core/as_float.hpp"
 
 namespace albedo {
 
@@ -21,33 +24,58 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
     this->truncation_ = warp_.truncation();
   }
 
+  /// Where the lobe's own end begins or ends to be nearer than the horizon.
+  [[nodiscard]] std::vector<S> corners(int panel) const override {
+    std::vector<S> places;
+    if constexpr (blocks && requires { WarpIn<T>::Line::gap; }) {
+      constexpr int steps = 64, halvings = 50;
+      const auto by_itself = [&](double v) { return warp_.line(panel, Block(v)).gap[0] > 0; };
+      for (int i = 0; i < steps; ++i) {
+        double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
+        const bool before = by_itself(low);
+        if (by_itself(high) == before) continue;
+        for (int k = 0; k < halvings; ++k) {
+          const double middle = (low + high) / 2;
+          (by_itself(middle) == before ? low : high) = middle;
+        }
+        places.push_back(high);
+      }
+    }
+    return places;
+  }
+
   void points(int panel, const S* u, const S* v, S* w, int count) const override {
-    for (int i = 0; i < count; i += lanes) {
-      const int filled = std::min(lanes, count - i);
-      store(value(panel, warp_.line(panel, load(v + i, filled)), load(u + i, filled)), w + i, filled);
+    if constexpr (blocks) {
+      for (int i = 0; i < count; i += block_width) {
+        const int filled = std::min(block_width, count - i);
+        const auto line = warp_.line(panel, Block::load_partial(v + i, filled));
+        value(warp_.point(panel, line, Block::load_partial(u + i, filled))).store(w + i, filled);
+      }
+    } else {
+      for (int i = 0; i < count; ++i) w[i] = value(warp_.point(panel, warp_.line(panel, v[i]), u[i]));
     }
   }
 
-  /// Rays are set up several at a time, and their points packed into full blocks from one ray to the next.
+  /// Eight rays at a time, each in a lane of its own; the last ones in several lanes each, for several points at once.
   void grid(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const override {
-    for (int first = 0; first < count_v; first += lanes) {
-      const int rays_here = std::min(lanes, count_v - first);
-      auto rays = warp_.line(panel, load(v + first, rays_here));
-      if constexpr (!blocks) {
-        for (int i = 0; i < count_u; ++i) w[first * count_u + i] = value(panel, rays, u[i]);
-      } else {
-        const int count = rays_here * count_u;
-        std::array<int, block_width> owner{};
-        Block place;
-        int ray_index = 0, along = 0;
-        for (int done = 0; done < count; done += block_width) {
-          for (int k = 0; k < block_width; ++k) {
-            owner[static_cast<std::size_t>(k)] = ray_index;
-            place.lanes[k] = u[along];
-            if (done + k + 1 < count && ++along == count_u) along = 0, ++ray_index;
-          }
-          const auto ray = owner.front() == owner.back() ? lane(rays, owner.front()) : gather(rays, owner);
-          value(panel, ray, place).store(w + first * count_u + done, std::min(block_width, count - done));
+    if constexpr (blocks) {
+      for (int first = 0, rays = 0; first < count_v; first += rays) {
+        const int left = count_v - first;
+        if (left >= 7) {  // one lane may idle
+          rays = group<8>(panel, u, count_u, v + first, left, w + first, count_v);
+        } else if (left >= 3) {
+          rays = group<4>(panel, u, count_u, v + first, left, w + first, count_v);
+        } else if (left == 2) {
+          rays = group<2>(panel, u, count_u, v + first, left, w + first, count_v);
+        } else {
+          rays = group<1>(panel, u, count_u, v + first, left, w + first, count_v);
+        }
+      }
+    } else {
+      for (int j = 0; j < count_v; ++j) {
+        const auto line = warp_.line(panel, v[j]);
+        for (int i = 0; i < count_u; ++i) {
+          w[std::ptrdiff_t{i} * count_v + j] = value(warp_.point(panel, line, u[i]));
         }
       }
     }
@@ -55,72 +83,49 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
 
  private:
   static constexpr bool blocks = std::is_same_v<T, Block>;
-  static constexpr int lanes = blocks ? block_width : 1;
 
-  static T load(const S* values, int count) {
-    if constexpr (blocks) {
-      return count == block_width ? Block::load(values) : Block::load_partial(values, count);
-    } else {
-      return *values;
+  /// The first `most` rays, or those there are; returns their number. `pitch` is from a point's values to the next's.
+  template <int most>
+  int group(int panel, const S* u, int count_u, const S* v, int count_v, S* w, int pitch) const {
+    constexpr int points = block_width / most;  // side by side in a block, each on all rays
+    const int rays = std::min(most, count_v);
+    const auto line = warp_.line(panel, rays == block_width ? Block::load(v) : Block::generate([=](int lane) {
+                                   return v[std::min(lane % most, rays - 1)];
+                                 }));
+    const auto sample = [&](int i, auto filled) {
+      const auto place = [&](int lane) { return u[i + std::min(lane / most, filled - 1)]; };
+      return warp_.point(panel, line, points == 1 ? Block(u[i]) : Block::generate(place));
+    };
+    const auto put = [&](const Block& result, int i, auto filled) {
+      S* to = w + std::ptrdiff_t{i} * pitch;
+      if constexpr (points == 1) {
+        result.store(to, rays);
+      } else {
+        std::array<double, block_width> values;
+        result.store(values.data());
+        for (int point = 0; point < filled; ++point, to += pitch) std::copy_n(values.data() + point * most, rays, to);
+      }
+    };
+    constexpr std::integral_constant<int, points> all;
+    int i = 0;
+    for (; i + 2 * points <= count_u; i += 2 * points) {  // in pairs: one works while the other waits for a root
+      const Sample<Block> samples[]{sample(i, all), sample(i + points, all)};
+      const Block results[]{value(samples[0]), value(samples[1])};
+      put(results[0], i, all);
+      put(results[1], i + points, all);
     }
-  }
-
-  static void store(const T& value, S* values, int count) {
-    if constexpr (blocks) {
-      value.store(values, count);
-    } else {
-      *values = value;
+    for (; i < count_u; i += points) {
+      const int filled = std::min(points, count_u - i);
+      put(value(sample(i, filled)), i, filled);
     }
+    return rays;
   }
 
-  /// Makes a ray's fields from those of others.
-  template <class Line, class Pick>
-  static Line transformed(Line& rays, const Pick& pick) {
-    Line ray;
-    [&]<std::size_t... I>(auto to, auto from, std::index_sequence<I...>) {
-      ((std::get<I>(to) = pick(std::get<I>(from))), ...);
-    }
-    (ray.fields(), rays.fields(), std::make_index_sequence<std::tuple_size_v<decltype(rays.fields())>>());
-    return ray;
-  }
-
-  /// One ray of several, in all lanes.
-  template <class Line>
-  static Line lane(Line& rays, int index) {
-    return transformed(rays, [index](const Block& field) { return Block(field[index]); });
-  }
-
-  /// A ray of its own in each lane.
-  template <class Line>
-  static Line gather(Line& rays, const std::array<int, block_width>& index) {
-    return transformed(rays, [&index](const Block& field) {
-      Block picked;
-      for (int k = 0; k < block_width; ++k) picked.lanes[k] = field[index[static_cast<std::size_t>(k)]];
-      return picked;
-    });
-  }
-
-  template <class Line>
-  T value(int panel, const Line& ray, const T& u) const {
-    const Sample<T> sample = warp_.point(panel, ray, u);
+  T value(const Sample<T>& sample) const {
     if constexpr (blocks) {
-      if (as_float_) return value_as_float(sample);
+      if (as_float_) return evaluate_as_float(model_, component_, sample.pair) * sample.weight;
     }
     return model_.evaluate(component_, sample.pair) * sample.weight;
-  }
-
-  /// The formula as a shader would evaluate it, on pairs rounded to float.
-  Block value_as_float(const Sample<Block>& sample) const {
-    const DirectionPair<Block>& p = sample.pair;
-    Block result;
-    for (int i = 0; i < block_width; ++i) {
-      auto at = [i](const Block& b) { return static_cast<float>(b[i]); };
-      const DirectionPair<float> pair{at(p.cos_theta_l), at(p.cos_theta_v), at(p.l_x),         at(p.l_y),
-                                      at(p.v_x),         at(p.v_y),         at(p.cos_theta_d), at(p.cos_theta_h),
-                                      at(p.slope_x),     at(p.slope_y),     at(p.axis_gap)};
-      result.lanes[i] = static_cast<double>(model_.evaluate(component_, pair)) * sample.weight[i];
-    }
-    return result;
   }
 
   const Model& model_;
@@ -141,6 +146,11 @@ class SumIntegrand final : public Integrand<S> {
         owners_.push_back({part.get(), static_cast<int>(i)});
       }
     }
+  }
+
+  [[nodiscard]] std::vector<S> corners(int panel) const override {
+    const Owner& owner = owners_[static_cast<std::size_t>(panel)];
+    return owner.part->corners(owner.panel);
   }
 
   void points(int panel, const S* u, const S* v, S* w, int count) const override {
@@ -177,9 +187,9 @@ class RoundedIntegrand final : public Integrand<double> {
     }
   }
   void grid(int panel, const double* u, int count_u, const double* v, int count_v, double* w) const override {
-    for (int j = 0; j < count_v; ++j) {
-      const std::vector<double> row(static_cast<std::size_t>(count_u), v[j]);
-      points(panel, u, row.data(), w + static_cast<std::ptrdiff_t>(j) * count_u, count_u);
+    for (int i = 0; i < count_u; ++i, w += count_v) {
+      const std::vector<double> same_u(static_cast<std::size_t>(count_v), u[i]);
+      points(panel, same_u.data(), v, w, count_v);
     }
   }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "rules/conclusion.hpp"
+
 namespace albedo {
 namespace {
 
@@ -17,6 +19,9 @@ struct Box {
   bool split_u = false;
   bool unseen_feature = false;  // holds a feature that is smaller than the box
 
+  std::array<double, 4> hidden{};  // beyond the points at each border
+
+  [[nodiscard]] double all_hidden() const { return hidden[0] + hidden[1] + hidden[2] + hidden[3]; }
   [[nodiscard]] double priority() const { return unseen_feature ? std::numeric_limits<double>::infinity() : error; }
   friend bool operator<(const Box& a, const Box& b) { return a.priority() < b.priority(); }
 };
@@ -56,7 +61,7 @@ class GenzMalik {
     box.value = area * (w1 * centre + w2 * (near_u + near_v) + w3 * (far_u + far_v) + w4 * cross + w5 * corners);
     const double fifth = area * (e1 * centre + e2 * (near_u + near_v) + e3 * (far_u + far_v) + e4 * cross);
     box.error =
-        2 * std::abs(box.value - fifth);  // it is the difference of two rules, not yet asymptotic in a large box
+        4 * std::abs(box.value - fifth);  // it is the difference of two rules, not yet asymptotic in a large box
     box.magnitude = 0;
     for (const double value : w) box.magnitude += std::abs(value) * area / points_per_box;
     const double ratio = near * near / (far * far);
@@ -94,6 +99,27 @@ Sums sum(const std::vector<Box>& boxes) {
   return sums;
 }
 
+/// A panel, or what is between two of its corners.
+struct Strip {
+  int panel;
+  double begin, end;  // along v
+};
+
+std::vector<Strip> strips_of(const Integrand<double>& integrand) {
+  std::vector<Strip> strips;
+  for (int panel = 0; panel < static_cast<int>(integrand.panels().size()); ++panel) {
+    double begin = 0;
+    for (const double corner : integrand.corners(panel)) {
+      if (corner > begin && corner < 1) strips.push_back({panel, begin, corner}), begin = corner;
+    }
+    strips.push_back({panel, begin, 1});
+  }
+  return strips;
+}
+
+/// The part of a box between its outermost points and one of its borders: an edge there isn't seen.
+constexpr double hidden_strip = 0.0257;
+
 /// What halving changed is the parent's true error, nearly. Where its estimate had foreseen it, a part of it is left to
 /// the halves; where it hadn't, all of it, and their own estimates are as much too small.
 void keep_honest(const Box& parent, Box& a, Box& b) {
@@ -106,33 +132,71 @@ void keep_honest(const Box& parent, Box& a, Box& b) {
   b.error = std::max(b.error * factor, floor);
 }
 
+/// What an edge could have that lies between a box's outermost points and one of its borders: where the halves differ,
+/// that is at the border between them.
+void keep_hidden(const Box& parent, Box& a, Box& b) {
+  constexpr std::size_t left = 0, right = 1, bottom = 2, top = 3;
+  for (Box* half : {&a, &b}) {
+    for (std::size_t side = 0; side < 4; ++side) half->hidden[side] = parent.hidden[side] / 2;
+  }
+  const double step = hidden_strip * std::abs(a.value - b.value);
+  a.hidden[parent.split_u ? right : top] = step;
+  b.hidden[parent.split_u ? left : bottom] = step;
+  for (Box* half : {&a, &b}) half->error = std::max(half->error, half->all_hidden());
+}
+
+/// The same for the first boxes, `rows` × `rows` in every strip: where neighbours differ, and at the panel's own
+/// borders.
+void hide_at_borders(const Integrand<double>& integrand, std::vector<Box>& boxes, int rows) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    Box& box = boxes[i];
+    if (!integrand.panels()[static_cast<std::size_t>(box.panel)].edged) continue;
+    const auto size = static_cast<std::size_t>(rows);
+    const std::size_t column = i % size, row = i / size % size;
+    const auto step = [&](bool at_border, std::size_t neighbour) {
+      return hidden_strip * (at_border ? box.magnitude : std::abs(box.value - boxes[neighbour].value));
+    };
+    box.hidden = {step(column == 0, i - 1), step(column + 1 == size, i + 1), step(row == 0, i - size),
+                  step(row + 1 == size, i + size)};
+    box.error = std::max(box.error, box.all_hidden());
+  }
+}
+
 }  // namespace
 
 Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const GenzMalik rule(integrand);
+  const auto panel_of = [&](const Box& box) -> const Panel& {
+    return integrand.panels()[static_cast<std::size_t>(box.panel)];
+  };
   std::vector<Box> heap;
   std::int64_t evaluations = 0;
-  constexpr int initial = 5;  // per axis: a first look that isn't fooled by symmetry
-  for (std::size_t panel = 0; panel < integrand.panels().size(); ++panel) {
+  constexpr int enough = 5;  // per axis: a first look that isn't fooled by symmetry
+  const std::vector<Strip> strips = strips_of(integrand);
+  const double affordable = static_cast<double>(options.budget) / points_per_box / static_cast<double>(strips.size());
+  const int initial = affordable < enough * enough ? static_cast<int>(std::sqrt(affordable)) : enough;
+  if (initial == 0) return unaffordable(ErrorKind::rule_difference);
+  for (const Strip& strip : strips) {
     for (int i = 0; i < initial * initial; ++i) {
-      Box box{static_cast<int>(panel), (0.5 + i % initial) / initial, (0.5 + i / initial) / initial, 0.5 / initial,
-              0.5 / initial};
+      const double height = (strip.end - strip.begin) / initial;
+      Box box{strip.panel, (0.5 + i % initial) / initial, strip.begin + (0.5 + i / initial) * height, 0.5 / initial,
+              0.5 * height};
       rule.measure(box);
       heap.push_back(box);
     }
     evaluations += initial * initial * points_per_box;
   }
+  hide_at_borders(integrand, heap, initial);
   std::make_heap(heap.begin(), heap.end());
   Sums sums = sum(heap);
   const auto met = [&] {
-    return !sums.unseen_feature &&
-           sums.error + 16 * epsilon * sums.magnitude + integrand.truncation() * std::abs(sums.value) <=
+    return !sums.unseen_feature && initial == enough &&
+           sums.error + rounding_of(sums.magnitude) + integrand.truncation() * std::abs(sums.value) <=
                options.tolerance * std::abs(sums.value);
   };
   std::size_t since_resummed = 0;
   while (std::isfinite(sums.value) && !met() && evaluations + 2 * points_per_box <= options.budget) {
-    if (!sums.unseen_feature && sums.error <= 16 * epsilon * sums.magnitude) break;  // nothing left but rounding
+    if (!sums.unseen_feature && sums.error <= rounding_of(sums.magnitude)) break;  // nothing left but rounding
     std::pop_heap(heap.begin(), heap.end());
     const Box parent = heap.back();
     heap.pop_back();
@@ -146,6 +210,7 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
     rule.measure(a);
     rule.measure(b);
     keep_honest(parent, a, b);
+    if (panel_of(parent).edged) keep_hidden(parent, a, b);
     evaluations += 2 * points_per_box;
     for (const Box& box : {a, b}) {
       heap.push_back(box);
@@ -161,14 +226,14 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
     }
   }
   sums = sum(heap);
-  const double rounding = 16 * epsilon * sums.magnitude;
+  const double rounding = rounding_of(sums.magnitude);
   Estimate estimate{sums.value, sums.error + rounding + integrand.truncation() * std::abs(sums.value),
                     ErrorKind::rule_difference, evaluations, Status::converged};
   if (!std::isfinite(sums.value) || !std::isfinite(sums.error)) {
     estimate.status = Status::non_finite;
   } else if (!met()) {
-    estimate.status =
-        !sums.unseen_feature && sums.error <= rounding ? Status::rounding_limited : Status::budget_exhausted;
+    estimate.status = !sums.unseen_feature && initial == enough && sums.error <= rounding ? Status::rounding_limited
+                                                                                          : Status::budget_exhausted;
   }
   return estimate;
 }

@@ -110,6 +110,32 @@ TEST_F(CliTest, AtHasACoarserDefaultForTheStratifiedRuleAndRepeatsItsSeed) {
   EXPECT_EQ(first["results"][0]["albedo"], Json::parse(run_albedo(arguments).out)["results"][0]["albedo"]);
 }
 
+TEST_F(CliTest, AtKnowsEveryRuleAndWarp) {
+  for (const std::string rule : {"gauss", "cubature", "kronrod", "tanh_sinh", "stratified", "sobol", "monte_carlo"}) {
+    for (const std::string warp : {"lobe", "hemisphere", "paper"}) {
+      const Outcome outcome = run_albedo({"at", "lambert", "rho=0.5", "--theta", "30", "--rule", rule, "--warp", warp,
+                                          "--tolerance", "1e-2", "--json"});
+      EXPECT_EQ(outcome.code, 0) << rule << ", " << warp << ": " << outcome.err;
+      const Json object = Json::parse(outcome.out);
+      EXPECT_EQ(object["rule"], rule);
+      EXPECT_EQ(object["warp"], warp);
+      EXPECT_NEAR(object["results"][0]["albedo"].get<double>(), 0.5, 0.02) << rule << ", " << warp;
+      const bool random = rule == "stratified" || rule == "sobol" || rule == "monte_carlo";
+      EXPECT_EQ(object.contains("seed"), random) << rule;
+      EXPECT_EQ(object["results"][0]["error_kind"] == "standard_error", random) << rule;
+    }
+  }
+}
+
+TEST_F(CliTest, AtHasACoarserDefaultForEveryMonteCarloRule) {
+  for (const auto& [rule, tolerance] :
+       {std::pair{"kronrod", 1e-8}, {"tanh_sinh", 1e-8}, {"sobol", 1e-4}, {"monte_carlo", 1e-4}}) {
+    const Outcome outcome =
+        run_albedo({"at", "lambert", "--theta", "30", "--rule", rule, "--budget", "1000", "--json"});
+    EXPECT_EQ(Json::parse(outcome.out)["tolerance"], tolerance) << rule;
+  }
+}
+
 TEST_F(CliTest, AtPrintsResultsThatMissedTheToleranceAndExitsWith3) {
   const Outcome outcome = run_albedo(
       {"at", "ward", "--theta", "0,60", "--rule", "cubature", "--warp", "hemisphere", "--budget", "100", "--json"});

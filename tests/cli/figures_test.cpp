@@ -230,7 +230,7 @@ TEST_F(Figures, AreDrawnInEveryFormatAndTheSameEveryTime) {
   EXPECT_TRUE(contains(read(directory_ / "out/neumann-1.svg"), "</svg>"));
 
   ::sleep(1);  // so that a date in a picture would be another
-  ASSERT_EQ(run("--all --format svg --format pdf --format png -o again", "TZ=Asia/Tokyo").exit_code, 0);
+  ASSERT_EQ(run("neumann-1 --format svg --format pdf --format png -o again", "TZ=Asia/Tokyo").exit_code, 0);
   for (const std::string& file : files) {
     EXPECT_EQ(read(directory_ / "out" / file), read(directory_ / "again" / file)) << file;
   }
@@ -251,6 +251,52 @@ TEST_F(Figures, BringTheirFontsAlong) {
   int count = 0;
   for (; std::getline(fonts, line); ++count) EXPECT_EQ(line.substr(embedded, 3), "yes") << line;
   EXPECT_GT(count, 0);
+}
+
+TEST_F(Figures, OfTheTradeoffShowWhatWasMeasured) {
+  if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome outcome = run("tradeoff-phong --format png --format pdf --output out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(names(), (Names{"tradeoff-phong.csv", "tradeoff-phong.gp", "tradeoff-phong.pdf", "tradeoff-phong.png"}));
+  const std::string data = read(directory_ / "out/tradeoff-phong.csv");
+  const std::string script = read(directory_ / "out/tradeoff-phong.gp");
+  for (const char* const part : {"\nphong,smooth,60,gauss,lobe,", "\nphong,rough,85,monte_carlo,paper,",
+                                 "# command: albedo-figures tradeoff-phong\n", "# material phong smooth: n=1000\n"}) {
+    EXPECT_TRUE(contains(data, part)) << part;
+  }
+  for (const char* const part : {"time [s]", "evaluations of the BRDF", "relative error", "set logscale xy"}) {
+    EXPECT_TRUE(contains(script, part)) << part;
+  }
+  // every column that the script draws is one of the data's
+  const std::string heading = data.substr(data.find("\nmodel,") + 1);
+  const std::string columns = "," + heading.substr(0, heading.find('\n')) + ",";
+  for (const char* const column : {"seconds", "evaluations", "true_error", "reported_error"}) {
+    EXPECT_TRUE(contains(script, "column('" + std::string(column) + "')")) << column;
+    EXPECT_TRUE(contains(columns, "," + std::string(column) + ",")) << column;
+  }
+}
+
+TEST_F(Figures, OfTheStabilityAtlasShowEveryCell) {
+  if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome list = run("--list");
+  for (const char* const name : {"\nstability ", "\nstability-anisotropic ", "\nstability-float "}) {
+    EXPECT_TRUE(contains(list.out, name)) << list.out;
+  }
+  const Outcome outcome = run("stability-float --format png --output out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(names(), (Names{"stability-float.csv", "stability-float.gp", "stability-float.png"}));
+  const std::string data = read(directory_ / "out/stability-float.csv");
+  const std::string script = read(directory_ / "out/stability-float.gp");
+  EXPECT_EQ(std::ranges::count(data.substr(data.find("\nsurface,") + 1), '\n'), 1 + 5 * 25 * 20);
+  EXPECT_TRUE(contains(data, "# command: albedo-figures stability-float\n"));
+  for (const char* const form : {"double", "float", "textbook_float"}) {
+    EXPECT_TRUE(contains(data, ",gauss_lobe_" + std::string(form) + "_verdict,gauss_lobe_" + form + "_error")) << form;
+  }
+  for (const char* const part : {"degrees from grazing incidence", "Ashikhmin–Shirley", "NaN or infinity"}) {
+    EXPECT_TRUE(contains(script, part)) << part;
+  }
 }
 
 TEST_F(Figures, CanBeDrawnAgainFromTheirFiles) {

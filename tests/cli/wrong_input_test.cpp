@@ -79,8 +79,11 @@ INSTANTIATE_TEST_SUITE_P(
         at({"ward", "--tolerance", "nan"}, "--tolerance: 'nan'"), at({"ward", "--budget", "0"}, "--budget is '0'"),
         at({"ward", "--budget", "1e3"}, "--budget is '1e3'"), at({"ward", "--threads", "0"}, "within [1, 1024]"),
         at({"ward", "--threads", "1025"}, "within [1, 1024]"), at({"ward", "--seed", "-1"}, "--seed is '-1'"),
-        at({"ward", "--rule", "simpson"}, "--rule is 'simpson' and must be one of gauss, cubature, stratified"),
-        at({"ward", "--warp", "polar"}, "one of lobe, hemisphere"),
+        at({"ward", "--rule", "simpson"},
+           "--rule is 'simpson' and must be one of gauss, cubature, kronrod, tanh_sinh, stratified, "
+           "sobol, monte_carlo"),
+        at({"ward", "--rule", "kronord"}, "did you mean 'kronrod'?"),
+        at({"ward", "--warp", "polar"}, "one of lobe, hemisphere, paper"),
         at({"ward", "--precision", "half"}, "one of double, float, quad"),
         at({"ward", "--tolerence", "1e-3"}, "did you mean '--tolerance'?"),
         at({"ward", "--assert", "max=1"}, "at character 4"),
@@ -114,6 +117,21 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{{"table", "ggx", "-o", "-", "--json"}, "standard output"},
                       Case{{"table", "--materials", "missing.json", "-o", "x.csv"}, "cannot read 'missing.json'"},
                       Case{{"table", "--materials", ".", "-o", "x.csv"}, "cannot read '.'"}));
+
+INSTANTIATE_TEST_SUITE_P(Tradeoffs, WrongInput,
+                         ::testing::Values(Case{{"tradeoff", "wardd"}, "unknown model 'wardd'; did you mean 'ward'?"},
+                                           Case{{"tradeoff", "n=20"}, "'n=20' comes before any MODEL"},
+                                           Case{{"tradeoff", "phong", "m=20"}, "phong has no"},
+                                           Case{{"tradeoff", "phong", "--rule", "gaus"}, "did you mean 'gauss'?"},
+                                           Case{{"tradeoff", "phong", "--rule", "gauss,,sobol"}, "--rule is ''"},
+                                           Case{{"tradeoff", "phong", "--rule", ""}, "--rule is ''"},
+                                           Case{{"tradeoff", "phong", "--warp", "polar"},
+                                                "one of lobe, hemisphere, paper"},
+                                           Case{{"tradeoff", "phong", "--theta", "90"}, "must be within [0, 90)"},
+                                           Case{{"tradeoff", "phong", "--tolerance", "0"}, "--tolerance is 0"},
+                                           Case{{"tradeoff", "phong", "--repeat", "0"}, "--repeat is '0'"},
+                                           Case{{"tradeoff", "phong", "-o", "x.npy"}, "must end in .csv or .json"},
+                                           Case{{"tradeoff", "phong", "--json", "-o", "-"}, "standard output"}));
 
 /// What a materials file holds, and what is said of it.
 struct BadFile {

@@ -13,9 +13,10 @@
 /// here; Battery.HasEveryModel fails until there is one.
 namespace albedo::battery {
 
-/// A needle is a lobe of roughness 1e-4 or of exponent 1e6. Costly is what has edges that no warp knows of: the rim of
-/// Edwards's lump, the cone of Beckmann's Λ at V = N where the lobe is wide. A series is costly too, and takes a
-/// millisecond in 113 bits.
+/// A needle is a lobe of roughness 1e-4 or of exponent 1e6. Costly is what has edges or points that no warp
+/// knows of: the rim of Edwards's lump, the cone of Beckmann's Λ at V = N where the lobe is wide, that of a diffuse
+/// lobe's Fresnel term at V = −L, a fractional power at the horizon of a mirror lobe. A series is costly too, and takes
+/// a millisecond in 113 bits.
 enum class Shape { ordinary, needle, costly, series };
 
 struct Case {
@@ -76,8 +77,8 @@ inline const std::vector<Case>& cases() {
       {"neumann_phong", {{"n", 1000.0}}},
       {"neumann_phong", {{"n", 1e6}}, 0, needle},
 
-      {"neumann_stretched", {{"n", 0.0}, {"q", 0.9}}},
-      {"neumann_stretched", {{"n", 1.0}, {"q", 0.95}}},
+      {"neumann_stretched", {{"n", 0.0}, {"q", 0.9}}, 0, costly},
+      {"neumann_stretched", {{"n", 1.0}, {"q", 0.95}}, 0, costly},
       {"neumann_stretched", {}},
       {"neumann_stretched", {{"q", 0.0}}},
       {"neumann_stretched", {{"q", 1.0}}},
@@ -162,7 +163,7 @@ inline const std::vector<Case>& cases() {
       {"kurt", {{"m", 0.5}, {"exponent", 1.0}}},
       {"kurt", {{"m", 0.2}, {"exponent", 1.5}}},
       {"kurt", {{"m", 0.3}, {"equation", "11"}, {"exponent", 0.3}, {"k_s", 0.6}, {"k_d", 0.3}}},
-      {"kurt", {{"m", 0.3}, {"equation", "13"}, {"f0", 0.2}, {"k_d", 0.5}, {"exponent", 0.2}}},
+      {"kurt", {{"m", 0.3}, {"equation", "13"}, {"f0", 0.2}, {"k_d", 0.5}, {"exponent", 0.2}}, 0, costly},
 
       {"beckmann", {}},
       {"beckmann", {{"alpha", 0.05}}},
@@ -243,6 +244,17 @@ inline std::string text(const Estimate& e) {
 inline std::vector<std::string> model_names() {
   std::vector<std::string> names;
   for (const ModelInfo& info : model_infos()) names.push_back(info.name);
+  return names;
+}
+
+/// Those whose lobes can all be sampled.
+inline std::vector<std::string> sampled_model_names() {
+  std::vector<std::string> names = model_names();
+  std::erase_if(names, [](const std::string& name) {
+    const auto model = make_model(name);
+    const auto lobes = model->lobes();
+    return !std::all_of(lobes.begin(), lobes.end(), [&](const Lobe& l) { return model->has_sampler(l.component); });
+  });
   return names;
 }
 

@@ -112,7 +112,7 @@ TEST_P(Models, LanesAreIndependent) {
       std::vector<double> alone;
       DirectionPair<Block> together{};
       const auto fill = [&](Block DirectionPair<Block>::*to, double DirectionPair<double>::*from) {
-        for (int i = 0; i < block_width; ++i) (together.*to).lanes[i] = pairs[static_cast<std::size_t>(i)].*from;
+        together.*to = Block::generate([&](int i) { return pairs[static_cast<std::size_t>(i)].*from; });
       };
       for (int i = 0; i < block_width; ++i) {
         const auto l = unit_vector<double>(directions(0.1)), v = unit_vector<double>(directions(0.1));

@@ -30,9 +30,7 @@ class Synthetic final : public Model {
   [[nodiscard]] Parameters parameters() const override { return {}; }
   [[nodiscard]] std::vector<Lobe> lobes() const override { return {{.component = 0, .weight = 1}}; }
   [[nodiscard]] Block evaluate(int, const DirectionPair<Block>& d) const noexcept override {
-    Block value;
-    for (int i = 0; i < block_width; ++i) value.lanes[i] = albedo_(d.cos_theta_l[i]) / pi;
-    return value;
+    return Block::generate([&](int i) { return albedo_(d.cos_theta_l[i]) / pi; });
   }
   [[nodiscard]] double evaluate(int, const DirectionPair<double>& d) const noexcept override {
     return albedo_(d.cos_theta_l) / pi;

@@ -120,8 +120,7 @@ TEST(DirectionPair, ExchangedSwapsLAndV) {
 }
 
 TEST(Block, DoesWhatDoubleDoes) {
-  Block x;
-  for (int i = 0; i < block_width; ++i) x.lanes[i] = 0.1 + 0.2 * i;
+  const Block x = Block::generate([](int i) { return 0.1 + 0.2 * i; });
   for (int i = 0; i < block_width; ++i) {
     const double y = x[i];
     EXPECT_NEAR(exp(x)[i], std::exp(y), 1e-15 * std::exp(y));

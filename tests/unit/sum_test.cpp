@@ -8,6 +8,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "albedo/directional_albedo.hpp"
+#include "albedo/reference.hpp"
 
 namespace albedo {
 namespace {
@@ -144,6 +145,30 @@ TEST(Sum, AddsCoherentParts) {
   EXPECT_GT(part->coherent_albedo(l), 0.5);
   const SumModel sum = sum_of({{0.25, "he_torrance", {{"sigma0", 0.02}}}, {0.5, "lambert"}});
   EXPECT_EQ(sum.coherent_albedo(l), 0.25 * part->coherent_albedo(l));
+}
+
+TEST(Sum, CoherentPartIsInTheReferenceToo) {
+  const Direction l = Direction::from_cosine(0.5);
+  const SumModel sum = sum_of({{0.5, "he_torrance", {{"part", "specular"}}}, {0.25, "lambert"}});
+  const EstimateIn<Quad> reference = reference_albedo(sum, l);
+  EXPECT_EQ(reference.status, Status::converged);
+  EXPECT_GT(sum.coherent_albedo(l), 0.01);
+  EXPECT_LE(abs(Quad(reference.value - sum.coherent_albedo(l) - 0.25)), reference.error + Quad(1e-30));
+}
+
+TEST(Sum, LobesKeepTheirSamplers) {
+  const SumModel sampled = sum_of({{0.5, "lambert"}, {0.3, "ward", {{"alpha", 0.1}, {"rho_d", 0.2}}}});
+  const AlbedoOptions options{.rule = Rule::sobol, .warp = Warp::paper, .tolerance = 1e-3};
+  for (const double theta : {0.0, 50.0}) {
+    const Direction l = Direction::from_degrees(theta);
+    const Estimate e = directional_albedo(sampled, l, options);
+    EXPECT_EQ(e.status, Status::converged);
+    EXPECT_NEAR(e.value, directional_albedo(sampled, l).value, 4 * e.error) << theta;
+  }
+  const SumModel partly = sum_of({{0.5, "lambert"}, {0.5, "he_torrance"}});
+  EXPECT_TRUE(partly.has_sampler(0));
+  EXPECT_FALSE(partly.has_sampler(1));
+  EXPECT_THROW(directional_albedo(partly, Direction::from_degrees(10), options), ParameterError);
 }
 
 TEST(Sum, RefusesWhatIsNoSum) {

@@ -231,7 +231,7 @@ class Coverage final : public Integrand<double> {
   void grid(int panel, const double* u, int count_u, const double* v, int count_v, double* w) const override {
     for (int j = 0; j < count_v; ++j) {
       const auto line = warp_.line(panel, v[j]);
-      for (int i = 0; i < count_u; ++i) w[j * count_u + i] = warp_.point(panel, line, u[i]).weight;
+      for (int i = 0; i < count_u; ++i) w[i * count_v + j] = warp_.point(panel, line, u[i]).weight;
     }
   }
 
@@ -327,8 +327,8 @@ TEST(HalfVectorWarp, BlockIsTheSameAsDouble) {
       const bool other_map =
           blocks.panels()[static_cast<std::size_t>(panel)].u.kind == AxisKind::gaussian && s.lobe.horizon_exponent != 1;
       if (other_map) continue;  // needs no map at its end
-      Block u, v;
-      for (int i = 0; i < block_width; ++i) u.lanes[i] = (i + 0.5) / block_width, v.lanes[i] = 0.9 - 0.1 * i;
+      const Block u = Block::generate([](int i) { return (i + 0.5) / block_width; });
+      const Block v = Block::generate([](int i) { return 0.9 - 0.1 * i; });
       const Sample<Block> together = blocks.point(panel, blocks.line(panel, v), u);
       for (int i = 0; i < block_width; ++i) {
         const Sample<double> alone = warp.point(panel, warp.line(panel, v[i]), u[i]);

@@ -30,12 +30,22 @@ class SumModel final : public Model {
   [[nodiscard]] Claims claims() const override;
   [[nodiscard]] Parameters parameters() const override;
   [[nodiscard]] std::vector<Lobe> lobes() const override { return lobes_; }
-  [[nodiscard]] double coherent_albedo(const Direction& l) const override;
+  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override;
 
   [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override;
   [[nodiscard]] double evaluate(int component, const DirectionPair<double>& pair) const noexcept override;
   [[nodiscard]] float evaluate(int component, const DirectionPair<float>& pair) const noexcept override;
   [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override;
+
+  [[nodiscard]] bool has_sampler(int component) const noexcept override;
+  [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
+                                      const Block& v) const noexcept override;
+  [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
+                                       double v) const noexcept override;
+  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
+                                     const Quad& v) const override;
+  [[nodiscard]] double density(int component, const UnitVector<double>& l,
+                               const UnitVector<double>& v) const noexcept override;
 
  private:
   /// Where a component is found.
@@ -43,6 +53,9 @@ class SumModel final : public Model {
     std::size_t part;
     int component;
   };
+
+  [[nodiscard]] const Source& source(int component) const { return sources_[static_cast<std::size_t>(component)]; }
+  [[nodiscard]] const Model& model(const Source& source) const { return *parts_[source.part].model; }
 
   template <class T>
   [[nodiscard]] T weighted(int component, const DirectionPair<T>& pair) const;

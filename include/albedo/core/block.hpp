@@ -1,126 +1,173 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
+#include <utility>
+
+#include "albedo/core/vector_math.hpp"
 
 namespace albedo {
 
-/// Lanes of a Block. Results don't depend on it beyond rounding (1e-14 relative).
+/// Lanes of a Block. Results don't depend on how many of them the machine computes at once.
 inline constexpr int block_width = 8;
 
-/// A truth value per lane.
+namespace detail {
+
+inline constexpr int block_parts = block_width / vector_width;
+
+/// What a function of the part's index makes of every part; the indices are constants, which keeps parts in registers.
+template <class Result, class Function>
+[[gnu::always_inline]] inline Result each_part(const Function& function) {
+  Result result;
+  [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+    ((result.part[I] = function(I)), ...);
+  }
+  (std::make_integer_sequence<int, block_parts>());
+  return result;
+}
+
+}  // namespace detail
+
+/// A truth value per lane: the result of comparing blocks.
 struct BlockMask {
-  Eigen::Array<bool, block_width, 1> lanes;
+  detail::VectorMask part[detail::block_parts];
 };
 
 /// A handful of doubles that are computed together: the number type of the fast path.
 ///
-/// A value type around a fixed-size Eigen array, so that a formula written for `double` runs on it as it stands and
-/// `auto` can't capture a dangling expression. Eigen vectorises `exp log sqrt`; what it doesn't is built from those or
-/// goes lane by lane here.
-struct alignas(64) Block {
-  using Lanes = Eigen::Array<double, block_width, 1>;
-
-  Lanes lanes;
+/// A value type, so that a formula written for `double` runs on it as it stands. It holds as many of the machine's
+/// vectors as it needs.
+struct alignas(block_width * sizeof(double)) Block {
+  detail::Vector part[detail::block_parts];
 
   Block() = default;
   Block(double value)  // NOLINT(google-explicit-constructor): constants mix with blocks
-      : lanes(Lanes::Constant(value)) {}
+      : Block(detail::each_part<Block>([=](int) { return detail::spread(value); })) {}
 
-  /// Evaluates an Eigen expression.
-  template <class Expression>
-  [[gnu::always_inline]] static Block from(const Expression& expression) {
+  /// The first block_width values.
+  static Block load(const double* values) {
     Block block;
-    block.lanes = expression;
+    std::memcpy(block.part, values, sizeof block.part);
     return block;
   }
-
-  static Block load(const double* values) { return from(Eigen::Map<const Lanes>(values)); }
 
   /// The first `count` values, the last of them repeated: a partly filled block never evaluates a made-up point.
   static Block load_partial(const double* values, int count) {
-    Block block(values[count - 1]);
-    for (int i = 0; i < count; ++i) block.lanes[i] = values[i];
-    return block;
+    return generate([=](int lane) { return values[lane < count ? lane : count - 1]; });
   }
 
-  void store(double* values, int count = block_width) const {
-    for (int i = 0; i < count; ++i) values[i] = lanes[i];
+  /// A number for each lane.
+  template <class Function>
+  static Block generate(const Function& number) {
+    return detail::each_part<Block>([&](int i) {
+      return [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+        return detail::Vector{number(i * detail::vector_width + I)...};
+      }
+      (std::make_integer_sequence<int, detail::vector_width>());
+    });
   }
 
-  double operator[](int lane) const { return lanes[lane]; }
+  void store(double* values) const { std::memcpy(values, part, sizeof part); }
+  void store(double* values, int count) const {
+    std::memcpy(values, part, static_cast<std::size_t>(count) * sizeof(double));
+  }
+
+  double operator[](int lane) const { return part[lane / detail::vector_width][lane % detail::vector_width]; }
+  void set(int lane, double value) { part[lane / detail::vector_width][lane % detail::vector_width] = value; }
 
   Block& operator+=(const Block& b) { return *this = *this + b; }
   Block& operator-=(const Block& b) { return *this = *this - b; }
   Block& operator*=(const Block& b) { return *this = *this * b; }
   Block& operator/=(const Block& b) { return *this = *this / b; }
 
-  [[gnu::always_inline]] friend Block operator-(const Block& a) { return from(-a.lanes); }
-  [[gnu::always_inline]] friend Block operator+(const Block& a, const Block& b) { return from(a.lanes + b.lanes); }
-  [[gnu::always_inline]] friend Block operator-(const Block& a, const Block& b) { return from(a.lanes - b.lanes); }
-  [[gnu::always_inline]] friend Block operator*(const Block& a, const Block& b) { return from(a.lanes * b.lanes); }
-  [[gnu::always_inline]] friend Block operator/(const Block& a, const Block& b) { return from(a.lanes / b.lanes); }
+  [[gnu::always_inline]] friend Block operator-(const Block& a) {
+    return detail::each_part<Block>([&](int i) { return -a.part[i]; });
+  }
+  [[gnu::always_inline]] friend Block operator+(const Block& a, const Block& b) {
+    return detail::each_part<Block>([&](int i) { return a.part[i] + b.part[i]; });
+  }
+  [[gnu::always_inline]] friend Block operator-(const Block& a, const Block& b) {
+    return detail::each_part<Block>([&](int i) { return a.part[i] - b.part[i]; });
+  }
+  [[gnu::always_inline]] friend Block operator*(const Block& a, const Block& b) {
+    return detail::each_part<Block>([&](int i) { return a.part[i] * b.part[i]; });
+  }
+  [[gnu::always_inline]] friend Block operator/(const Block& a, const Block& b) {
+    return detail::each_part<Block>([&](int i) { return a.part[i] / b.part[i]; });
+  }
 
-  friend BlockMask operator<(const Block& a, const Block& b) { return {a.lanes < b.lanes}; }
-  friend BlockMask operator>(const Block& a, const Block& b) { return {a.lanes > b.lanes}; }
-  friend BlockMask operator<=(const Block& a, const Block& b) { return {a.lanes <= b.lanes}; }
-  friend BlockMask operator>=(const Block& a, const Block& b) { return {a.lanes >= b.lanes}; }
-  friend BlockMask operator==(const Block& a, const Block& b) { return {a.lanes == b.lanes}; }
+  [[gnu::always_inline]] friend BlockMask operator<(const Block& a, const Block& b) {
+    return detail::each_part<BlockMask>([&](int i) { return a.part[i] < b.part[i]; });
+  }
+  [[gnu::always_inline]] friend BlockMask operator>(const Block& a, const Block& b) {
+    return detail::each_part<BlockMask>([&](int i) { return a.part[i] > b.part[i]; });
+  }
+  [[gnu::always_inline]] friend BlockMask operator<=(const Block& a, const Block& b) {
+    return detail::each_part<BlockMask>([&](int i) { return a.part[i] <= b.part[i]; });
+  }
+  [[gnu::always_inline]] friend BlockMask operator>=(const Block& a, const Block& b) {
+    return detail::each_part<BlockMask>([&](int i) { return a.part[i] >= b.part[i]; });
+  }
+  [[gnu::always_inline]] friend BlockMask operator==(const Block& a, const Block& b) {
+    return detail::each_part<BlockMask>([&](int i) { return a.part[i] == b.part[i]; });
+  }
 };
 
-[[gnu::always_inline]] inline Block exp(const Block& x) { return Block::from(x.lanes.exp()); }
-[[gnu::always_inline]] inline Block log(const Block& x) { return Block::from(x.lanes.log()); }
-[[gnu::always_inline]] inline Block sqrt(const Block& x) { return Block::from(x.lanes.sqrt()); }
-[[gnu::always_inline]] inline Block abs(const Block& x) { return Block::from(x.lanes.abs()); }
-[[gnu::always_inline]] inline Block min(const Block& a, const Block& b) { return Block::from(a.lanes.min(b.lanes)); }
-[[gnu::always_inline]] inline Block max(const Block& a, const Block& b) { return Block::from(a.lanes.max(b.lanes)); }
-[[gnu::always_inline]] inline Block select(const BlockMask& mask, const Block& a, const Block& b) {
-  return Block::from(mask.lanes.select(a.lanes, b.lanes));
-}
-
-/// ln(1 + x) = x ln(u)/(u − 1) with u = 1 + x as rounded: the rounding of u cancels (Kahan). Eigen has no vector form
-/// for doubles.
-inline Block log1p(const Block& x) {
-  const Block u = 1 + x;
-  const Block excess = u - 1;
-  const Block corrected = log(u) * (x / excess);
-  constexpr double large = 1e16;  // 1 is lost here, and infinity must stay itself
-  return select(excess == Block(0.0), x, select(x < Block(large), corrected, log(u)));
-}
-
-/// eˣ − 1 = (u − 1) x/ln(u) with u = eˣ as rounded (Kahan).
-inline Block expm1(const Block& x) {
-  const Block u = exp(x);
-  const Block excess = u - 1;
-  const Block corrected = excess * (x / log(u));
-  constexpr double moderate = 1;
-  return select(excess == Block(0.0), x, select(abs(x) < Block(moderate), corrected, excess));
-}
-
 namespace detail {
-/// A function that has no vector form, lane by lane.
-template <class Function>
-Block lane_by_lane(const Block& x, Function&& function) {
+/// A function of the machine's vector, on every part.
+template <Vector (*function)(Vector)>
+[[gnu::always_inline]] inline Block apply(const Block& x) {
   Block result;
-  for (int i = 0; i < block_width; ++i) result.lanes[i] = function(x.lanes[i]);
+  [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+    ((result.part[I] = function(x.part[I])), ...);
+  }
+  (std::make_integer_sequence<int, block_parts>());
   return result;
 }
 }  // namespace detail
 
+/// `a` where the mask holds, `b` elsewhere.
+[[gnu::always_inline]] inline Block select(const BlockMask& mask, const Block& a, const Block& b) {
+  return detail::each_part<Block>([&](int i) { return mask.part[i] ? a.part[i] : b.part[i]; });
+}
+[[gnu::always_inline]] inline Block min(const Block& a, const Block& b) { return select(b < a, b, a); }
+[[gnu::always_inline]] inline Block max(const Block& a, const Block& b) { return select(a < b, b, a); }
+/// Whether a mask holds in every lane.
+inline bool all(const BlockMask& mask) {
+  const Block held = select(mask, Block(1), Block(0));
+  for (int lane = 0; lane < block_width; ++lane) {
+    if (held[lane] == 0) return false;
+  }
+  return true;
+}
+
+[[gnu::always_inline]] inline Block abs(const Block& x) { return detail::apply<detail::magnitude>(x); }
+[[gnu::always_inline]] inline Block sqrt(const Block& x) { return detail::apply<detail::square_root>(x); }
+[[gnu::always_inline]] inline Block exp(const Block& x) { return detail::apply<detail::exponential_function>(x); }
+[[gnu::always_inline]] inline Block expm1(const Block& x) { return detail::apply<detail::exponential_minus_one>(x); }
+[[gnu::always_inline]] inline Block log(const Block& x) { return detail::apply<detail::natural_logarithm>(x); }
+[[gnu::always_inline]] inline Block log1p(const Block& x) { return detail::apply<detail::logarithm_of_one_plus>(x); }
+[[gnu::always_inline]] inline Block atan(const Block& x) { return detail::apply<detail::arc_tangent>(x); }
+
+/// sin(πf/2) and cos(πf/2), exact in their zeros.
+[[gnu::always_inline]] inline void sincos_quarter(const Block& f, Block& sine, Block& cosine) {
+  [&]<int... I>(std::integer_sequence<int, I...>) __attribute__((always_inline)) {
+    (detail::sine_and_cosine(f.part[I], sine.part[I], cosine.part[I]), ...);
+  }
+  (std::make_integer_sequence<int, detail::block_parts>());
+}
+
+/// x^exponent for x ≥ 0, to 1 + 2 |exponent · ln x| ulp.
+inline Block pow(const Block& x, double exponent) { return exponent == 0 ? Block(1) : exp(exponent * log(x)); }
+
+// Arguments of any size have no short vector form: lane by lane.
 inline Block sin(const Block& x) {
-  return detail::lane_by_lane(x, [](double v) { return std::sin(v); });
+  return Block::generate([&](int lane) { return std::sin(x[lane]); });
 }
 inline Block cos(const Block& x) {
-  return detail::lane_by_lane(x, [](double v) { return std::cos(v); });
+  return Block::generate([&](int lane) { return std::cos(x[lane]); });
 }
 inline Block tan(const Block& x) {
-  return detail::lane_by_lane(x, [](double v) { return std::tan(v); });
-}
-inline Block atan(const Block& x) {
-  return detail::lane_by_lane(x, [](double v) { return std::atan(v); });
-}
-inline Block pow(const Block& x, double exponent) {
-  return detail::lane_by_lane(x, [exponent](double v) { return std::pow(v, exponent); });
+  return Block::generate([&](int lane) { return std::tan(x[lane]); });
 }
 
 }  // namespace albedo

@@ -1,8 +1,17 @@
 #pragma once
 
+#include <concepts>
+
 #include "albedo/core/parameter.hpp"
 
 namespace albedo {
+
+/// A model struct with samplers for its lobes: sample and density for every number type, without branches.
+template <class M>
+concept Samplable = requires(const M& model, const UnitVector<double>& l, double u) {
+  { model.sample(0, l, u, u) } -> std::same_as<Sampled<double>>;
+  { model.density(0, l, l) } -> std::same_as<double>;
+};
 
 /// A model struct behind the Model interface.
 template <class M>
@@ -32,7 +41,7 @@ class ErasedModel final : public Model {
     return lobes;
   }
 
-  [[nodiscard]] double coherent_albedo(const Direction& l) const override {
+  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override {
     if constexpr (requires { model_.coherent_albedo(l); }) return model_.coherent_albedo(l);
     return 0;
   }
@@ -50,7 +59,38 @@ class ErasedModel final : public Model {
     return model_.evaluate(component, pair);
   }
 
+  [[nodiscard]] bool has_sampler(int /*component*/) const noexcept override { return Samplable<M>; }
+  [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
+                                      const Block& v) const noexcept override {
+    return sampled(component, l, u, v);
+  }
+  [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
+                                       double v) const noexcept override {
+    return sampled(component, l, u, v);
+  }
+  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
+                                     const Quad& v) const override {
+    return sampled(component, l, u, v);
+  }
+  [[nodiscard]] double density(int component, const UnitVector<double>& l,
+                               const UnitVector<double>& v) const noexcept override {
+    if constexpr (Samplable<M>) {
+      return model_.density(component, l, v);
+    } else {
+      return Model::density(component, l, v);
+    }
+  }
+
  private:
+  template <class T>
+  Sampled<T> sampled(int component, const UnitVector<T>& l, const T& u, const T& v) const {
+    if constexpr (Samplable<M>) {
+      return model_.sample(component, l, u, v);
+    } else {
+      return Model::sample(component, l, u, v);
+    }
+  }
+
   M model_;
   const ModelInfo& info_;
 };

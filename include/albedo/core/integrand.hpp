@@ -37,6 +37,8 @@ struct Panel {
   std::vector<Feature> features{};
   bool tracked = true;   ///< false: large somewhere that isn't announced; no result is to be believed
   bool layered = false;  ///< has narrow layers of small amplitude: a rule's own reading of its error misses them
+  bool edged =
+      false;  ///< steps to 0 at an edge inside, which may hide between a cell's outermost points and its border
 };
 
 /// Whether a rectangle of a panel holds a feature that is narrower than the rectangle; then also along which axis to
@@ -63,9 +65,14 @@ class Integrand {
   /// What the panels leave out of the integral, relative to it.
   [[nodiscard]] double truncation() const { return truncation_; }
 
+  /// Places along v where single points have a corner that sums along u don't have: rays change what ends them. For
+  /// rules that don't sum along u first.
+  [[nodiscard]] virtual std::vector<S> corners(int /*panel*/) const { return {}; }
+
   /// w at scattered points.
   virtual void points(int panel, const S* u, const S* v, S* w, int count) const = 0;
-  /// w at the tensor product of nodes; w[j * count_u + i] belongs to (u[i], v[j]).
+  /// w at the tensor product of nodes; w[i * count_v + j] belongs to (u[i], v[j]): rays side by side, as blocks have
+  /// them.
   virtual void grid(int panel, const S* u, int count_u, const S* v, int count_v, S* w) const = 0;
 
  protected:

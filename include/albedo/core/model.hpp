@@ -9,6 +9,7 @@
 
 #include "albedo/core/direction.hpp"
 #include "albedo/core/lobe.hpp"
+#include "albedo/core/sampled.hpp"
 
 namespace albedo {
 
@@ -81,14 +82,28 @@ class Model {
   [[nodiscard]] virtual std::vector<Lobe> lobes() const = 0;
 
   /// What the model reflects into the mirror direction alone, as a fraction of the light from L: a delta, which is in
-  /// no lobe and no f(L,V), but is part of the albedo. 0 unless a model says otherwise.
-  [[nodiscard]] virtual double coherent_albedo(const Direction& /*l*/) const { return 0; }
+  /// no lobe and no f(L,V), but is part of the albedo. 0 unless a model says otherwise. In 113 bits, since e^(−g) loses
+  /// digits where g is large.
+  [[nodiscard]] virtual Quad coherent_albedo(const Direction& /*l*/) const { return 0; }
 
   /// Lobe `component`'s f(L,V) [1/sr].
   [[nodiscard]] virtual Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept = 0;
   [[nodiscard]] virtual double evaluate(int component, const DirectionPair<double>& pair) const noexcept = 0;
   [[nodiscard]] virtual float evaluate(int component, const DirectionPair<float>& pair) const noexcept = 0;
   [[nodiscard]] virtual Quad evaluate(int component, const DirectionPair<Quad>& pair) const = 0;
+
+  /// Whether lobe `component` has a published way to draw V for a given L; sample and density answer NaN otherwise.
+  [[nodiscard]] virtual bool has_sampler(int /*component*/) const noexcept { return false; }
+  /// The V that lobe `component`'s sampler makes of a point (u, v) of the unit square.
+  [[nodiscard]] virtual Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
+                                              const Block& v) const noexcept;
+  [[nodiscard]] virtual Sampled<double> sample(int component, const UnitVector<double>& l, double u,
+                                               double v) const noexcept;
+  [[nodiscard]] virtual Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
+                                             const Quad& v) const;
+  /// The density [1/sr] with which that sampler draws V; ∫ density dω_V = 1 over the whole sphere.
+  [[nodiscard]] virtual double density(int component, const UnitVector<double>& l,
+                                       const UnitVector<double>& v) const noexcept;
 
  protected:
   Model() = default;

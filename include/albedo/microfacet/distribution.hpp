@@ -7,7 +7,8 @@ namespace albedo {
 /// The exponent of an anisotropic Gaussian of slopes: (tan²θ_H)(cos²φ_H/α_x² + sin²φ_H/α_y²).
 template <class T>
 T scaled_slope2(const DirectionPair<T>& d, double alpha_x, double alpha_y) {
-  return square(T(d.slope_x / T(alpha_x))) + square(T(d.slope_y / T(alpha_y)));
+  const Scalar<T> per_x = 1 / Scalar<T>(alpha_x), per_y = 1 / Scalar<T>(alpha_y);
+  return square(T(d.slope_x * per_x)) + square(T(d.slope_y * per_y));
 }
 
 /// Beckmann's distribution, height-field normalised (∫D cosθ_h dω_h = 1): exp(−tan²…)/(π α_x α_y cos⁴θ_H)   [Kurt 2010,

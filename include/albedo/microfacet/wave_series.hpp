@@ -66,12 +66,16 @@ T log1p_minus(const T& x, const T& y) {
   return select(abs(x) < T(small), near, T(log(y) - x));
 }
 
-inline double largest(const Block& x) { return x.lanes.maxCoeff(); }
+inline double largest(const Block& x) {
+  double most = x[0];
+  for (int lane = 1; lane < block_width; ++lane) most = most < x[lane] ? x[lane] : most;
+  return most;
+}
 template <class T>
 double largest(const T& x) {
   return static_cast<double>(x);
 }
-inline bool any(const BlockMask& mask) { return mask.lanes.any(); }
+inline bool any(const BlockMask& mask) { return largest(select(mask, Block(1), Block(0))) > 0; }
 inline bool any(bool mask) { return mask; }
 
 }  // namespace detail

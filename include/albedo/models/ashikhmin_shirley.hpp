@@ -3,6 +3,7 @@
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -63,21 +64,34 @@ struct AshikhminShirley {
     const T exponent = (T(n_u) * square(d.slope_x) + T(n_v) * square(d.slope_y)) / tan2;
     const T lobe = exp(-exponent * log1p(tan2) / 2);
     const Fresnel fresnel{.f0 = r_s};
-    const double add = normalization == Normalization::paper ? 1 : 2;
-    return T(k_s * std::sqrt((n_u + add) * (n_v + add))) / (8 * pi<T>)*lobe * fresnel(d.cos_theta_d) /
-           (d.cos_theta_d * max(d.cos_theta_l, d.cos_theta_v));
+    const Scalar<T> add = normalization == Normalization::paper ? 1 : 2;
+    const Scalar<T> scale = Scalar<T>(k_s) * sqrt(Scalar<T>((Scalar<T>(n_u) + add) * (Scalar<T>(n_v) + add)));
+    return T(scale) / (8 * pi<T>)*lobe * fresnel(d.cos_theta_d) / (d.cos_theta_d * max(d.cos_theta_l, d.cos_theta_v));
   }
 
   /// Eq. 13 (its constant: eq. 14).
   template <class T>
   T diffuse(const DirectionPair<T>& d) const noexcept {
-    return T(28 * r_d * (1 - r_s)) / (23 * pi<T>)*rise(T(d.cos_theta_l / 2)) * rise(T(d.cos_theta_v / 2));
+    return T(28 * Scalar<T>(r_d) * (1 - Scalar<T>(r_s))) / (23 * pi<T>)*rise(T(d.cos_theta_l / 2)) *
+           rise(T(d.cos_theta_v / 2));
   }
 
   /// 1 − (1 − x)⁵, multiplied out: no cancellation at grazing incidence.
   template <class T>
   static T rise(const T& x) noexcept {
     return x * (5 + x * (-10 + x * (10 + x * (-5 + x))));
+  }
+
+  /// Half vectors of eq. 5 [eqs. 17–20]; both diffuse parts: cosine-weighted.
+  template <class T>
+  Sampled<T> sample(int component, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    if (component != 0) return sample_cosine(l, u, v);
+    return sample_power(l, n_u, n_v, u, v);
+  }
+  template <class T>
+  T density(int component, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    if (component != 0) return cosine_density(v);
+    return power_density(half_vector_pair(l, v), n_u, n_v);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -28,6 +29,16 @@ struct Blinn {
   template <class T>
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     return T(blinn_normalization(n)) * cos_theta_h_power(d, n);
+  }
+
+  /// Half vectors of density (n+1)/(2π) (N·H)^n.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_power(l, n, n, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return power_density(half_vector_pair(l, v), n, n);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
 #include "albedo/microfacet/masking.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -50,6 +51,18 @@ struct CookTorrance {
     if (component == 1) return T(k_d) / pi<T>;
     const T f = T(k_s) * fresnel(d.cos_theta_d) * beckmann(d, m, m) / (4 * d.cos_theta_l * d.cos_theta_v);
     return masking == Masking::v_cavity ? T(f * v_cavity(d)) : f;
+  }
+
+  /// Half vectors from Beckmann's distribution; the Lambertian part: cosine-weighted.
+  template <class T>
+  Sampled<T> sample(int component, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    if (component == 1) return sample_cosine(l, u, v);
+    return sample_beckmann(l, m, m, u, v);
+  }
+  template <class T>
+  T density(int component, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    if (component == 1) return cosine_density(v);
+    return beckmann_density(half_vector_pair(l, v), m, m);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
 #include "albedo/microfacet/masking.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -40,6 +41,16 @@ struct Ggx {
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     return fresnel(d.cos_theta_d) * ggx_distribution(d, alpha_x, alpha_y) *
            ggx_visibility(d, alpha_x, alpha_y, masking);
+  }
+
+  /// Visible half vectors [Heitz 2018], whichever the masking.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_ggx_visible(l, alpha_x, alpha_y, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return select(v.z + l.z > T(0), ggx_visible_density(half_vector_pair(l, v), alpha_x, alpha_y), T(0));
   }
 };
 

@@ -77,15 +77,15 @@ struct HeTorrance {
   }
 
   /// k_s F e^(−g) S of the mirror direction.
-  [[nodiscard]] double coherent_albedo(const Direction& l) const noexcept {
+  [[nodiscard]] Quad coherent_albedo(const Direction& l) const {
     if (part == Part::directional_diffuse) return 0;
-    double cosine = 0, sine = 0;
+    Quad cosine, sine;
     polar_angle(l, cosine, sine);
     if (cosine == 0) return 0;  // S₁
-    const Side<double> there = side(sine, 0.0, cosine);
-    const double shrink = 1 + lambert_w(std::min(huge, square(there.k) / (2 * pi<double>)));
-    const double g = square(4 * pi<double> * sigma0 / wavelength * cosine) / shrink;
-    return k_s * fresnel(cosine) * std::exp(-g) * square(cosine * there.visibility);
+    const Side<Quad> there = side(sine, Quad(0), cosine);
+    const Quad shrink = 1 + lambert_w(min(Quad(huge), Quad(square(there.k) / (2 * pi<Quad>))));
+    const Quad g = square(Quad(4 * pi<Quad> * sigma0 / wavelength * cosine)) / shrink;
+    return k_s * fresnel(cosine) * exp(Quad(-g)) * square(Quad(cosine * there.visibility));
   }
 
  private:

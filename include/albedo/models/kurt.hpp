@@ -5,6 +5,7 @@
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -60,6 +61,18 @@ struct Kurt {
     const T numerator = T(k_s) * fresnel(d.cos_theta_d) * beckmann(d, m_x, m_y) / (4 * d.cos_theta_d);
     if (equation == Equation::eq_9) return numerator / max(d.cos_theta_l, d.cos_theta_v);
     return numerator * exp(T(-exponent) * log(T(d.cos_theta_l * d.cos_theta_v)));
+  }
+
+  /// Beckmann's half vectors [eqs. 16–20; eq. 17 with the quadrant of 2πξ₂]; the diffuse part: cosine-weighted.
+  template <class T>
+  Sampled<T> sample(int component, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    if (component == 1) return sample_cosine(l, u, v);
+    return sample_beckmann(l, m_x, m_y, u, v);
+  }
+  template <class T>
+  T density(int component, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    if (component == 1) return cosine_density(v);
+    return beckmann_density(half_vector_pair(l, v), m_x, m_y);
   }
 };
 

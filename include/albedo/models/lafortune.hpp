@@ -4,6 +4,7 @@
 
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -48,6 +49,16 @@ struct Lafortune {
                         T((c_y - c) * (c_y + c) / (c * c)) * square(d.l_y) +
                         T((c_z - c) * (c_z + c) / (c * c)) * square(d.cos_theta_l);
     return T(rho * (n + 2)) / (2 * pi<T>)*axis_power(d, n) * exp(T(n / 2) * log1p(shortfall));
+  }
+
+  /// Directions of density (n+1)/(2π) (A·V)₊^n about the normalised axis.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_axis(l, sampling_axis(l, c_x, c_y, c_z), n, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return axis_density(sampling_axis(l, c_x, c_y, c_z), n, v);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -19,6 +20,16 @@ struct Lambert {
   template <class T>
   T evaluate(int, const DirectionPair<T>&) const noexcept {
     return T(rho) / pi<T>;
+  }
+
+  /// Cosine-weighted directions: the exact sampler.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_cosine(l, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>&, const UnitVector<T>& v) const noexcept {
+    return cosine_density(v);
   }
 };
 

@@ -15,12 +15,13 @@ struct EstimateIn {
   Status status = Status::converged;
 };
 
-/// Product rule on each panel: Gauss–Legendre on an interval, the midpoint rule on a turn.
+/// Product rule on each panel: Gauss–Legendre on an interval, equidistant points on a turn.
 ///
-/// The integrand's expansion (Legendre or Fourier) is read off the rule's own nodes. A rule of n nodes errs by the
-/// coefficient near 2n, which the decay of the known ones bounds; that is the error, and it tells the order that the
-/// tolerance needs. Where the coefficients don't decay at the largest order, the panel is bisected. The error of an
-/// order that was raised is also compared with what raising it changed.
+/// Both rules are extended by about as many nodes as they have, and what that changes is the error: along u, Kronrod's
+/// extension on a few rays that stand for all of them (the most doubtful by their last Legendre coefficients); along v
+/// the rays of the extension join the others, and the coefficients of the whole tell how much of the change is left.
+/// Orders are raised until the tolerance is met; where the coefficients don't decay at the largest, the panel is
+/// bisected.
 template <class S>
 EstimateIn<S> gauss(const Integrand<S>& integrand, const RuleOptions& options);
 

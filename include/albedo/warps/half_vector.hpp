@@ -1,8 +1,9 @@
 #pragma once
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <tuple>
 
 #include "albedo/warps/ray.hpp"
 #include "albedo/warps/sample.hpp"
@@ -66,11 +67,6 @@ class HalfVectorWarp {
     T gap;        // from the panel's end to the horizon, in r
     T horizon_x;  // power: ρ r_e
     T weight;
-
-    auto fields() {
-      return std::tie(slope_x, slope_y, rho, inverse_rho, b, horizon, inverse_horizon, begin, extent, end, scale, gap,
-                      horizon_x, weight);
-    }
   };
 
   [[nodiscard]] Line line(int panel, const T& v) const {
@@ -88,12 +84,13 @@ class HalfVectorWarp {
     ray.inverse_rho = 1 / ray.rho;
     ray.b = tan_alpha_ * along * ray.inverse_rho;
     const T q = sqrt(square(ray.b) + 1);
-    ray.horizon = select(ray.b > T(0), T(abs(ray.b) + q), T(1 / (abs(ray.b) + q)));
-    ray.inverse_horizon = 1 / ray.horizon;
+    const T larger = abs(ray.b) + q, smaller = 1 / larger;
+    ray.horizon = select(ray.b > T(0), larger, smaller);
+    ray.inverse_horizon = select(ray.b > T(0), smaller, larger);
     const T far = radius(ray, ray.horizon);
     ray.horizon_x = far * ray.rho;
     const T limit = min(far, T(cut_));
-    const T begin = min(radius(ray, edge(ray, part.from)), limit);
+    const T begin = part.from == Edge::origin ? T(0) : min(radius(ray, edge(ray, part.from)), limit);
     const T end = part.to == Edge::rim ? limit : min(radius(ray, edge(ray, part.to)), limit);
     ray.gap = part.to == Edge::rim ? T(far - limit) : T(far - end);
     if (stretch_) {
@@ -119,13 +116,13 @@ class HalfVectorWarp {
     T to_horizon = ray.gap;
     if (stretch_) {
       const T rise = expm1(r);
-      const T half_left = ray.extent * complement / 2;
-      const T fall = expm1(half_left);
-      // r_end − r = 2 scale cosh(y_mid) sinh(half_left) with y_mid = y + half_left
-      const T e_mid = (1 + rise) * (1 + fall);
-      to_horizon += ray.scale * (e_mid + 1 / e_mid) * (fall + fall / (1 + fall)) / 2;
-      slope = slope * ray.scale * (1 + square(rise) / (2 * (1 + rise)));
-      r = ray.scale * (rise + rise / (1 + rise)) / 2;
+      const T fall = expm1(T(ray.extent * complement / 2));
+      const T per_rise = 1 / (1 + rise), per_fall = 1 / (1 + fall);
+      // r_end − r = 2 scale cosh(y_mid) sinh(y_mid − y), where y_mid is halfway to the end
+      const T twice_cosh = (1 + rise) * (1 + fall) + per_rise * per_fall;
+      to_horizon += ray.scale * twice_cosh * (fall + fall * per_fall) / 2;
+      slope = slope * ray.scale * (1 + square(rise) * per_rise / 2);
+      r = ray.scale * (rise + rise * per_rise) / 2;
     } else {
       to_horizon += ray.extent * complement;
     }
@@ -214,9 +211,15 @@ class HalfVectorWarp {
   [[nodiscard]] T radius(const Line& ray, const T& tau) const {
     return ray.inverse_rho * (profile_ == Profile::power ? T(sqrt(T(log1p(square(tau)) / 2))) : tau);
   }
-  [[nodiscard]] T edge(const Line& ray, Edge which) const {
+  /// tan(π/6 + arctan(x)/3), in terms of arctan(1/|x|), which keeps digits for x → −∞.
+  [[nodiscard]] static T tan_of_third(const T& x) {
     using std::atan;
-    using std::tan;
+    const T third = atan(T(1 / max(T(abs(x)), T(1e-30)))) * (2 / (3 * pi<T>));  // in quarter turns
+    T sine, cosine;
+    sincos_quarter(select(x < T(0), third, T(Scalar<T>(2) / 3 - third)), sine, cosine);
+    return sine / cosine;
+  }
+  [[nodiscard]] T edge(const Line& ray, Edge which) const {
     switch (which) {
       case Edge::origin:
         return T(0);
@@ -225,7 +228,7 @@ class HalfVectorWarp {
       case Edge::cavity_light:
         return 1 / max(ray.b, T(1e-30));
       case Edge::cavity_viewer:
-        return tan(T(pi<T> / 6 + atan(ray.b) / 3));
+        return tan_of_third(ray.b);
       case Edge::rim:
         break;
     }
@@ -248,40 +251,54 @@ class HalfVectorWarp {
 
   /// The edge t = δ exists for δ > 0, from r = 0 at δ = 0 on; where it is beyond the lobe's end it is left out.
   void split_equal_cosines() {
-    static constexpr int steps = 24;
-    const std::vector<Edge> divided{Edge::origin, Edge::equal_cosines, Edge::rim};
+    static const std::vector<Edge> divided{Edge::origin, Edge::equal_cosines, Edge::rim};
     for (const int side : {1, -1}) {
       if (side < 0 && symmetric_) break;
-      std::vector<S> borders{S(0)};
-      for (int i = 0; i < steps; ++i) {
-        // closer together near ±K, where the edge is short
-        const auto place = [](int k) { return S(1 - square(square(S(steps - k) / steps))); };
-        if (edge_inside(side * place(i)) == edge_inside(side * place(i + 1))) continue;
-        S low = place(i), high = place(i + 1);
-        for (int k = 0; k < 40; ++k) {
-          const S middle = (low + high) / 2;
-          (edge_inside(side * middle) == edge_inside(side * low) ? low : high) = middle;
-        }
-        borders.push_back((low + high) / 2);
-      }
-      borders.push_back(S(1));
+      const std::vector<S> borders = edge_borders(side);
       for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
         const S begin = side * borders[i], end = side * borders[i + 1];
-        const bool inside = edge_inside((begin + end) / 2);
+        const bool inside = edge_margin((begin + end) / 2) > 0;
         add(side > 0 ? Arc<S>{begin, end} : Arc<S>{end, begin}, inside ? divided : whole_ray);
       }
     }
     add_whole({S(1), S(2)}, whole_ray);
   }
 
-  /// Whether the edge t = δ is within the lobe at x = f K.
-  [[nodiscard]] bool edge_inside(const S& f) const {
+  /// 0, where |x| ≤ K has the edge t = δ enter or leave the lobe, and 1.
+  [[nodiscard]] std::vector<S> edge_borders(int side) const {
+    std::vector<S> borders{S(0)};
+    if (alpha_x_ == alpha_y_) {
+      const S cosine = alpha_x_ * tau_of_radius(alpha_x_ * cut_) / tan_alpha_;
+      if (cosine < 1) borders.push_back(turn_.fraction(cosine));
+    } else {
+      static constexpr int steps = 24;
+      S before = edge_margin(S(0));
+      for (int i = 0; i < steps; ++i) {
+        // closer together near ±K, where the edge is short
+        const auto place = [](int k) { return S(1 - square(square(S(steps - k) / steps))); };
+        const S after = edge_margin(side * place(i + 1));
+        if ((before > 0) != (after > 0)) {
+          std::uintmax_t most = 40;
+          const auto border = boost::math::tools::toms748_solve([&](const S& f) { return edge_margin(side * f); },
+                                                                place(i), place(i + 1), before, after,
+                                                                boost::math::tools::eps_tolerance<S>(40), most);
+          borders.push_back((border.first + border.second) / 2);
+        }
+        before = after;
+      }
+    }
+    borders.push_back(S(1));
+    return borders;
+  }
+
+  /// How far within the lobe the edge t = δ is at x = f K.
+  [[nodiscard]] S edge_margin(const S& f) const {
     S cosine, sine, slope;
     turn_.at(f, cosine, sine, slope);
     const S x = alpha_x_ * (cosine * axis_cos_ - sine * axis_sin_),
             y = alpha_y_ * (cosine * axis_sin_ + sine * axis_cos_);
     const S rho = sqrt(square(x) + square(y));
-    return tan_alpha_ * cosine < rho * tau_of_radius(rho * cut_);
+    return rho * tau_of_radius(rho * cut_) - tan_alpha_ * cosine;
   }
 
   /// An isotropic lobe's sectors, from cosφ = 1 down.
@@ -329,8 +346,10 @@ class HalfVectorWarp {
       const AxisKind kind = extent == 4.0                 ? AxisKind::periodic
                             : symmetric_ && extent == 2.0 ? AxisKind::even_periodic
                                                           : AxisKind::interval;
-      Axis radial{AxisKind::interval, radial_order(ends)};
-      if (edges.size() == 2 && is_unbounded(static_cast<int>(parts_.size()) - 1)) {
+      const Reach reached = reach(static_cast<int>(parts_.size()) - 1);
+      Axis radial{AxisKind::interval, radial_order(ends, edges, i, reached.longest)};
+      const bool ends_by_itself = profile_ != Profile::ggx && !stretch_ && reached.horizon > gaussian_reach;
+      if (std::is_same_v<T, Block> && edges.size() == 2 && ends_by_itself) {
         parts_.back().ends = {};
         radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
       }
@@ -339,40 +358,61 @@ class HalfVectorWarp {
     }
   }
 
-  /// Whether the lobe has ended everywhere on a part before it meets the horizon.
-  [[nodiscard]] bool is_unbounded(int part) const {
-    if (!std::is_same_v<T, Block> || profile_ == Profile::ggx || stretch_) return false;
-    Block place;
-    for (int i = 0; i < block_width; ++i) place.lanes[i] = static_cast<double>(i) / (block_width - 1);
+  /// What a part's rays have between them: the r at which the first meets the horizon, and the longest's length.
+  struct Reach {
+    double horizon = std::numeric_limits<double>::infinity(), longest = 0;
+
+    void include(double far, double extent) { horizon = std::min(horizon, far), longest = std::max(longest, extent); }
+  };
+
+  /// Looks at eight rays, the first and the last among them.
+  [[nodiscard]] Reach reach(int part) const {
+    constexpr int rays = block_width;
+    const auto place = [](int i) { return static_cast<double>(i) / (rays - 1); };
+    Reach result;
     if constexpr (std::is_same_v<T, Block>) {
-      const Line ray = line(part, place);
+      const Line ray = line(part, Block::generate(place));
       const Block far = ray.horizon_x * ray.inverse_rho;
-      return far.lanes.minCoeff() > gaussian_reach;
+      for (int i = 0; i < rays; ++i) result.include(far[i], ray.extent[i]);
+    } else {
+      for (int i = 0; i < rays; ++i) {
+        const Line ray = line(part, T(place(i)));
+        result.include(static_cast<double>(T(ray.horizon_x * ray.inverse_rho)), static_cast<double>(ray.extent));
+      }
     }
-    return false;
+    return result;
   }
 
   /// Beside the turn's own length: an edge that enters the lobe does so like exp(−r²).
   [[nodiscard]] int azimuth_order(AxisKind kind, double extent, bool edged) const {
-    int order = turn_.order(kind, extent, digits_ + 1, 1.2);
-    if (l_.z == 1 && alpha_x_ == alpha_y_) return 4;
+    if (l_.z == 1 && alpha_x_ == alpha_y_) return kind == AxisKind::interval ? 4 : 2;  // all rays are the same
+    int order = turn_.order(kind, extent, digits_, 1.2);
     // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
     // facets' planes
     if (horizon_layer_ && alpha_x_ != alpha_y_) order *= 3;
-    if (profile_ == Profile::ggx && widest_ >= 1) order += order / 2;
-    return std::min(edged ? std::max(order, 3 + static_cast<int>(digits_)) : order, 128);
+    if (profile_ == Profile::ggx && widest_ > 1.5) order += 2 * static_cast<int>(digits_);
+    if (horizon_exponent_ < 0) order += order / 2;
+    if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
+    return std::min(edged ? std::max(order, static_cast<int>(1.65 * digits_)) : order, 128);
   }
 
-  /// What is needed at eight digits, measured.
-  [[nodiscard]] int radial_order(const EndMap& ends) const {
-    double nodes = 16;
+  /// What is needed at eight digits on a part from edge `begin` on, measured.
+  [[nodiscard]] int radial_order(const EndMap& ends, const std::vector<Edge>& edges, std::size_t begin,
+                                 double longest) const {
+    double nodes = 15.5;
+    const double grazing = -std::log(static_cast<double>(l_.z));
     if (profile_ == Profile::ggx) {  // the tail's length, in decades
-      const double narrowest = static_cast<double>(min(alpha_x_, alpha_y_));
-      nodes = 8 + 3.8 * std::asinh(1 / narrowest) - 1.5 * std::log(static_cast<double>(l_.z)) + (widest_ > 1 ? 12 : 0);
+      const double decades = std::asinh(1 / static_cast<double>(min(alpha_x_, alpha_y_)));
+      nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.6 * grazing + (widest_ > 1.5 ? 28 : 0);
       if (alpha_x_ != alpha_y_) nodes *= 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
-      nodes = ends.right == 3 || ends.left > 1 ? 27 : 21;
+      nodes = ends.right == 3 ? 31 : ends.left > 1 ? 26 : 21;
+    } else if (begin > 0) {
+      nodes = edges[begin] == Edge::cavity_light ? 18 : edges[begin] == Edge::equal_cosines ? 13.5 : 11.5;
+    } else if (edges.size() > 2) {
+      nodes = grazing > 1.5 ? 15 : 13.5;
     }
+    if (!stretch_) nodes *= (7 + 1.6 * longest) / 15;  // a whole lobe is 5 long
     return static_cast<int>(nodes * (2 + digits_) / 10);
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <utility>
 
 #include "albedo/warps/sample.hpp"
@@ -10,11 +9,10 @@
 
 namespace albedo {
 
-/// All directions V by their cosine μ = cosθ_V and their azimuth. Diffuse lobes are polynomials in μ; for any other
-/// lobe the hemisphere is divided at its axis, and the axis is announced as a feature.
+/// All directions V by their polar angle and azimuth. For any lobe but a diffuse one the hemisphere is divided at its
+/// axis, and the axis is announced as a feature.
 ///
-/// A diffuse lobe with a kink at equal cosines (Oren–Nayar) is divided there and at a quarter turn from L, and has
-/// e = 1 − √(1 − μ) for μ: sinθ_V = (1 − e) √(1 + μ) is smooth in e, and small cosines keep their digits.
+/// A diffuse lobe with a kink at equal cosines (Oren–Nayar) is divided there and at a quarter turn from L.
 template <class T>
 class HemisphereWarp {
   using S = Scalar<T>;
@@ -40,17 +38,19 @@ class HemisphereWarp {
       }
       return;
     }
-    const S split = axis_.z > 0 ? S(axis_.z) : S(0);
+    using std::atan2;
+    const S split = axis_.z > 0 ? S(2 * atan2(planar, axis_.z) / pi<T>) : S(1);
     const int order = 8 + static_cast<int>(digits);
     for (const S& side : {S(1), S(-1)}) {
-      if (split > 0) add({S(0), split, S(0), side}, {order, order});
       if (split < 1) add({split, S(1), S(0), side}, {order, order});
+      if (split > 0) add({S(0), split, S(0), side}, {order, order});
       if (symmetric_) break;
     }
     const double sine = static_cast<double>(planar), cosine = static_cast<double>(axis_.z);
     // A lobe that reaches the horizon, or is elongated, isn't tracked: then nothing is believed.
     const double narrow = std::min(lobe.width_x, lobe.width_y), wide = std::max(lobe.width_x, lobe.width_y);
-    const bool grazing = cosine < 0.03 || (cosine < 0.2 && cosine < 4 * wide);
+    const double reach = lobe.profile == Profile::ggx ? 100 : 4;  // in widths; a heavy tail is met far out
+    const bool grazing = cosine < 0.03 || (cosine < 0.2 && cosine < reach * wide);
     const bool changing = lobe.shape == LobeShape::near_mirror && wide < 0.1;  // wider than it says away from N
     if (grazing || changing || wide > 4 * narrow) {
       for (Panel& panel : panels_) panel.tracked = false;
@@ -71,8 +71,6 @@ class HemisphereWarp {
 
   struct Line {
     T cosine, sine;  // of V's azimuth
-
-    auto fields() { return std::tie(cosine, sine); }
   };
 
   [[nodiscard]] Line line(int panel, const T& v) const {
@@ -84,39 +82,34 @@ class HemisphereWarp {
 
   [[nodiscard]] Sample<T> point(int panel, const Line& ray, const T& u) const {
     const Part& part = parts_[static_cast<std::size_t>(panel)];
-    const T place = part.mu0 + (part.mu1 - part.mu0) * u;
-    if (part.rooted) {
-      const T mu = place * (2 - place);
-      const T s = (1 - place) * sqrt(T(1 + mu));
-      const UnitVector<T> v{s * ray.cosine, s * ray.sine, mu};
-      return {direction_pair(broadcast<T>(l_), v, broadcast<T>(axis_)), part.weight * 2 * (1 - place) * mu};
-    }
-    const T mu = place;
-    const T s = sqrt(T((1 - part.mu0) - (part.mu1 - part.mu0) * u) * (1 + mu));
-    const UnitVector<T> v{s * ray.cosine, s * ray.sine, mu};
-    return {direction_pair(broadcast<T>(l_), v, broadcast<T>(axis_)), T(part.weight) * mu};
+    T cosine, sine;  // from the horizon, where the cosine keeps its digits
+    sincos_quarter(T((1 - part.end) + (part.end - part.begin) * (1 - u)), cosine, sine);
+    const UnitVector<T> v{sine * ray.cosine, sine * ray.sine, cosine};
+    return {direction_pair(broadcast<T>(l_), v, broadcast<T>(axis_)), T(part.weight) * sine * cosine};
   }
 
  private:
   struct Part {
-    S mu0, mu1, turn0, turn1;  // turns in units of π, from the lobe's azimuth
-    bool rooted = false;       // mu0 and mu1 are e = 1 − √(1 − μ)
+    S begin, end;    // of the polar angle, in quarter turns
+    S turn0, turn1;  // of the azimuth from the lobe's, in units of π
     S weight = 0;
   };
 
   void split_at_kinks(double digits) {
-    const int order = 3 + static_cast<int>(digits);
-    const S kink = l_.z / (1 + sqrt(S(1 - l_.z)));
+    using std::atan2;
+    const int order = 2 + static_cast<int>(digits);
+    const S kink = S(2 * atan2(S(sqrt(square(l_.x) + square(l_.y))), l_.z) / pi<T>);
     for (const auto& [from, to] : {std::pair{S(0), kink}, std::pair{kink, S(1)}}) {
-      add({from, to, S(0), S(0.5), true}, {order, order});
-      add({from, to, S(0.5), S(1), true}, {order, order});
+      add({from, to, S(0), S(0.5)}, {order, order});
+      add({from, to, S(0.5), S(1)}, {order, order});
     }
   }
 
   void add(Part part, const std::array<int, 2>& orders) {
     using std::abs;
-    part.weight = (part.mu1 - part.mu0) * abs(part.turn1 - part.turn0) * pi<T> * (symmetric_ ? 2 : 1);
-    const AxisKind kind = symmetric_ && !part.rooted ? AxisKind::even_periodic : AxisKind::interval;
+    part.weight = (part.end - part.begin) * abs(part.turn1 - part.turn0) * square(pi<T>) / (symmetric_ ? 1 : 2);
+    const AxisKind kind =
+        symmetric_ && abs(part.turn1 - part.turn0) == 1 ? AxisKind::even_periodic : AxisKind::interval;
     parts_.push_back(part);
     panels_.push_back({{AxisKind::interval, orders[0]}, {kind, orders[1]}});
   }
@@ -140,16 +133,16 @@ class HemisphereWarp {
 
   /// A feature at polar angle (sine, cosine; sine < 0: on the other side of the zenith) of the given angular widths.
   void announce(double sine, double cosine, double along, double across) {
-    const double width_mu = along * (std::abs(sine) + along) / 2;
+    const double place = 2 * std::atan2(std::abs(sine), cosine) / pi<double>, width_place = along / pi<double>;
     const double width_turn = across / (2 * pi<double> * std::max({std::abs(sine), across, 1e-300}));
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      const double mu0 = static_cast<double>(parts_[i].mu0), mu1 = static_cast<double>(parts_[i].mu1);
-      if (cosine < mu0 || cosine > mu1) continue;
+      const double begin = static_cast<double>(parts_[i].begin), end = static_cast<double>(parts_[i].end);
+      if (place < begin || place > end) continue;
       for (int step = 0; step <= 6; ++step) {  // to three widths aside, or around the zenith
         const double aside = step * width_turn;
         if (aside > 1) break;
         panels_[i].features.push_back(
-            {(cosine - mu0) / (mu1 - mu0), sine < 0 ? 1 - aside : aside, width_mu / (mu1 - mu0), width_turn});
+            {(place - begin) / (end - begin), sine < 0 ? 1 - aside : aside, width_place / (end - begin), width_turn});
       }
     }
   }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tuple>
-
 #include "albedo/warps/ray.hpp"
 #include "albedo/warps/sample.hpp"
 #include "albedo/warps/turn.hpp"
@@ -49,8 +47,6 @@ class MirrorLobeWarp {
     T begin, extent;
     T gap;  // from the panel's end to the horizon, in r
     T weight;
-
-    auto fields() { return std::tie(cosine, sine, height, horizon_x, begin, extent, gap, weight); }
   };
 
   [[nodiscard]] Line line(int panel, const T& v) const {
@@ -81,7 +77,7 @@ class MirrorLobeWarp {
     const T x2 = square(x);
     const T axis_gap = -expm1(-x2);
     const T cosine = exp(-x2);
-    const T sine = sqrt(-expm1(T(-2 * x2)));
+    const T sine = sqrt(axis_gap * (1 + cosine));
     const T plain = axis_.z * cosine + ray.height * sine;
     // towards the horizon, cos²α − cos²α_h (and with it cosθ_V) from the distance to the end of the ray
     const T to_horizon = ray.gap + ray.extent * (1 - u);
@@ -92,9 +88,9 @@ class MirrorLobeWarp {
     const T to_up = sine * ray.cosine, to_side = sine * ray.sine;
     const UnitVector<T> v{axis_.x * cosine + up_.x * to_up + across_.x * to_side,
                           axis_.y * cosine + up_.y * to_up + across_.y * to_side, cos_v};
-    DirectionPair<T> pair = direction_pair(broadcast<T>(l_), v, v);
-    pair.axis_gap = axis_gap;
-    return {pair, ray.weight * cosine * r * cos_v};
+    Sample<T> sample{direction_pair(broadcast<T>(l_), v, v), ray.weight * cosine * r * cos_v};
+    sample.pair.axis_gap = axis_gap;
+    return sample;
   }
 
  private:
@@ -141,15 +137,19 @@ class MirrorLobeWarp {
     parts_.push_back({arc, from, to});
     const double extent = static_cast<double>(arc.end - arc.begin);
     const AxisKind kind = extent == 2 ? AxisKind::even_periodic : AxisKind::interval;
-    Axis radial{AxisKind::interval, static_cast<int>(1.6 * (2 + digits_))};
     // where the lobe ends by itself, everywhere on the arc: its nearest horizon is at the arc's end
     const double nearest = extent_to_horizon(arc.end);
     const bool divided = from == Edge::equal_cosines || to == Edge::equal_cosines;
-    if (std::is_same_v<T, Block> && axis_.z > 0 && !divided && nearest > gaussian_reach) {
-      radial = {AxisKind::gaussian, 5, static_cast<double>(cut_)};
+    const double exponent = 1 / square(static_cast<double>(rho_));
+    const double nodes = from == Edge::equal_cosines ? 1.35 : exponent < 4 ? 2 : 1.55;  // a digit
+    Axis radial{AxisKind::interval, static_cast<int>(nodes * (2 + digits_))};
+    if (std::is_same_v<T, Block> && axis_.z > 0 && !divided && nearest > gaussian_reach && exponent > 4) {
+      radial = {AxisKind::gaussian, exponent < 16 ? 8 : 5, static_cast<double>(cut_)};
     }
-    const int order = turn_.order(kind, extent, digits_ + 1, 1.2);
-    panels_.push_back({radial, {kind, divided ? std::max(order, 4 + static_cast<int>(digits_)) : order}, {}});
+    int order = turn_.order(kind, extent, digits_, 1.2);
+    if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
+    if (axis_sin_ == 0 && kind != AxisKind::interval) order = 2;  // all rays are the same
+    panels_.push_back({radial, {kind, divided ? std::max(order, static_cast<int>(1.65 * digits_)) : order}, {}});
   }
 
   /// r of the horizon at x = f K.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "albedo/warps/ray.hpp"
 #include "albedo/warps/sample.hpp"
@@ -56,8 +55,6 @@ class NearMirrorWarp {
   struct Line {
     T sine, half_sine;  // of φ and φ/2
     T weight;
-
-    auto fields() { return std::tie(sine, half_sine, weight); }
   };
 
   [[nodiscard]] Line line(int, const T& v) const {

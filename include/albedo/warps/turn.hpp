@@ -10,7 +10,7 @@
 
 namespace albedo {
 
-/// sin(πf/2) and cos(πf/2), exact in their zeros.
+/// sin(πf/2) and cos(πf/2), exact in their zeros; a block has its own.
 template <class T>
 void sincos_quarter(const T& f, T& sine, T& cosine) {
   using std::cos;
@@ -35,14 +35,6 @@ void sincos_quarter(const T& f, T& sine, T& cosine) {
   }
 }
 
-inline void sincos_quarter(const Block& f, Block& sine, Block& cosine) {
-  for (int i = 0; i < block_width; ++i) {
-    double s = 0, c = 0;
-    sincos_quarter(f.lanes[i], s, c);
-    sine.lanes[i] = s, cosine.lanes[i] = c;
-  }
-}
-
 /// The azimuth as a Jacobi amplitude, ψ = am(x, k): the substitution that makes √(k′² + k² cos²ψ) = dn(x) analytic.
 ///
 /// At grazing incidence a lobe's horizon has a boundary layer of width k′ ~ cotθ_L around ψ = ±π/2. In x the integrand
@@ -57,9 +49,8 @@ class Turn {
     quarter_ = boost::math::constants::half_pi<S>();
     const S converged = 8 * std::numeric_limits<S>::epsilon();
     while (1 - kp > converged) {
-      const S k = (1 - kp) * (1 + kp);
       const S k1 = (1 - kp) / (1 + kp);
-      steps_.push_back({k1, kp * kp, k});
+      steps_.push_back({k1, 2 * kp / (1 + kp)});
       quarter_ *= 1 + k1;
       kp = 2 * sqrt(kp) / (1 + kp);
     }
@@ -68,17 +59,19 @@ class Turn {
   /// A quarter turn in x, the complete elliptic integral K(k).
   [[nodiscard]] const S& quarter() const { return quarter_; }
 
-  /// cosψ, sinψ and dψ/dx = dn at x = f K, by descending Landen steps (DLMF 22.7(i)); cosψ keeps its relative accuracy
-  /// at f = ±1.
+  /// cosψ, sinψ and dψ/dx = dn at x = f K, by descending Landen steps (DLMF 22.7(i), with dn = (cn² + (1 − k₁) sn²)/(1
+  /// + k₁ sn²) in terms of the modulus k₁, which has no cancellation); cosψ keeps its relative accuracy at f = ±1.
   template <class T>
   void at(const T& f, T& cosine, T& sine, T& slope) const {
     sincos_quarter(f, sine, cosine);
     slope = T(1);
     for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
-      const T inverse = 1 / (1 + step->k1 * square(sine));
-      cosine = cosine * slope * inverse;
+      const T sine2 = square(sine);
+      const T inverse = 1 / (1 + step->k1 * sine2);
+      const T next_slope = (square(cosine) + step->complement * sine2) * inverse;
+      cosine = cosine * (slope * inverse);
       sine = (1 + step->k1) * sine * inverse;
-      slope = sqrt(step->kp2 + step->k2 * square(cosine));
+      slope = next_slope;
     }
   }
 
@@ -102,12 +95,12 @@ class Turn {
     } else {
       nodes = logarithm * length / (2 * boost::math::constants::pi<double>() * strip);
     }
-    return std::clamp(static_cast<int>(std::ceil(nodes)), 2, 64);
+    return std::clamp(static_cast<int>(std::ceil(nodes)), 4, 128);
   }
 
  private:
   struct Step {
-    S k1, kp2, k2;
+    S k1, complement;  // k₁ and 1 − k₁
   };
   S complement_;
   S quarter_;

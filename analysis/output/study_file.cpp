@@ -1,0 +1,33 @@
+#include "analysis/output/study_file.hpp"
+
+#include <cctype>
+#include <filesystem>
+
+#include "albedo/core/errors.hpp"
+#include "analysis/commands/text.hpp"
+#include "analysis/output/atomic_file.hpp"
+#include "analysis/output/table_document.hpp"
+
+namespace albedo::analysis {
+
+bool is_json_path(const std::string& path) {
+  if (path == "-") return false;
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".csv" || ending == ".json") return ending == ".json";
+  throw ParameterError("output: '" + path + "' must end in .csv or .json");
+}
+
+void check_study_path(const std::string& path) {
+  static_cast<void>(is_json_path(path));
+  AtomicFile::check(path);
+}
+
+void write_provenance(const nlohmann::ordered_json& provenance, std::ostream& out) {
+  using Json = nlohmann::ordered_json;
+  for (const auto& [key, item] : provenance.items()) {
+    out << "# " << comment_text(key) << ": " << comment_text(item.is_string() ? item : Json(json_text(item))) << '\n';
+  }
+}
+
+}  // namespace albedo::analysis
