@@ -16,9 +16,21 @@ namespace {
 
 using Channels = std::array<double, 3>;
 
+/// The choice of a channel that a material leaves open, or nullptr; also for a model that there isn't.
+const ParameterInfo* open_channel(const Material& material) {
+  for (const ModelInfo& info : model_infos()) {
+    if (info.name != material.model || info.channel() == nullptr) continue;
+    const bool is_given =
+        std::ranges::any_of(material.parameters, [&](const auto& p) { return p.first == info.channel()->name; });
+    return is_given ? nullptr : info.channel();
+  }
+  return nullptr;
+}
+
 bool is_rgb(const Material& material) {
-  return std::ranges::any_of(material.parameters,
-                             [](const auto& p) { return std::holds_alternative<Channels>(p.second); });
+  return open_channel(material) != nullptr || std::ranges::any_of(material.parameters, [](const auto& p) {
+           return std::holds_alternative<Channels>(p.second);
+         });
 }
 
 albedo::ParameterValue value_in_channel(const ModelInfo& info, const std::string& name, const ParameterValue& value,
@@ -40,6 +52,7 @@ std::unique_ptr<Model> make_row(const Material& material, std::size_t channel, c
     for (const auto& [name, value] : material.parameters) {
       parameters.emplace_back(name, value_in_channel(info, name, value, channel));
     }
+    if (const ParameterInfo* open = open_channel(material)) parameters.emplace_back(open->name, open->choices[channel]);
     return make_model(material.model, parameters);
   } catch (const Error& error) {
     throw FormatError("'" + file + "', line " + std::to_string(material.line) + ": " + error.what());

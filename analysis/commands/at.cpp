@@ -26,6 +26,7 @@ struct Arguments {
 };
 
 struct Result {
+  std::string channel;  ///< empty where there is only one
   double theta;
   Estimate estimate;
   double seconds;
@@ -36,23 +37,28 @@ bool any_coherent(const std::vector<Result>& results) {
   return std::ranges::any_of(results, [](const Result& result) { return result.coherent != 0; });
 }
 
-std::vector<Result> compute(const Model& model, const Arguments& arguments) {
+/// A model for each channel.
+using Models = std::vector<std::pair<std::string, std::unique_ptr<Model>>>;
+
+std::vector<Result> compute(const Models& models, const Arguments& arguments) {
   using Clock = std::chrono::steady_clock;
   std::vector<Result> results;
   ProgressBar progress;
-  for (const double theta : arguments.thetas) {
-    const auto begin = Clock::now();
-    const Direction l = Direction::from_degrees(theta, arguments.phi);
-    const Estimate estimate = directional_albedo(model, l, arguments.options.albedo());
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    results.push_back({theta, estimate, seconds, static_cast<double>(model.coherent_albedo(l))});
-    progress.update(results.size(), arguments.thetas.size());
+  for (const auto& [channel, model] : models) {
+    for (const double theta : arguments.thetas) {
+      const auto begin = Clock::now();
+      const Direction l = Direction::from_degrees(theta, arguments.phi);
+      const Estimate estimate = directional_albedo(*model, l, arguments.options.albedo());
+      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      results.push_back({channel, theta, estimate, seconds, static_cast<double>(model->coherent_albedo(l))});
+      progress.update(results.size(), models.size() * arguments.thetas.size());
+    }
   }
   return results;
 }
 
-void print_json(const Model& model, const Arguments& arguments, const std::vector<Result>& results) {
-  Json object{{"model", model.info().name}, {"parameters", parameters_json(model.parameters())}};
+void print_json(const Models& models, const Arguments& arguments, const std::vector<Result>& results) {
+  Json object = model_json(*models.front().second, models.size() > 1);
   arguments.options.describe(object);
   object["results"] = Json::array();
   for (const Result& result : results) {
@@ -64,6 +70,7 @@ void print_json(const Model& model, const Arguments& arguments, const std::vecto
                                  {"evaluations", result.estimate.evaluations},
                                  {"status", to_string(result.estimate.status)},
                                  {"seconds", result.seconds}});
+    if (!result.channel.empty()) object["results"].back()["channel"] = result.channel;
     if (any_coherent(results)) object["results"].back()["coherent_albedo"] = result.coherent;
   }
   std::cout << json_text(object) << '\n';
@@ -73,11 +80,14 @@ void print_text(double phi, const std::vector<Result>& results) {
   std::vector<std::vector<std::string>> rows{{"theta", "phi", "albedo", "error", "evaluations", "status"}};
   const bool with_coherent = any_coherent(results);
   if (with_coherent) rows.front().emplace_back("coherent");
-  for (const auto& [theta, estimate, seconds, coherent] : results) {
+  const bool with_channel = !results.front().channel.empty();
+  if (with_channel) rows.front().insert(rows.front().begin(), "channel");
+  for (const auto& [channel, theta, estimate, seconds, coherent] : results) {
     rows.push_back({number_text(theta, 15), number_text(phi, 15), number_text(estimate.value, 15),
                     number_text(estimate.error, 2), std::to_string(estimate.evaluations),
                     std::string(to_string(estimate.status))});
     if (with_coherent) rows.back().push_back(number_text(coherent, 15));
+    if (with_channel) rows.back().insert(rows.back().begin(), channel);
   }
   print_columns(std::cout, rows);
 }
@@ -86,7 +96,7 @@ void print_text(double phi, const std::vector<Result>& results) {
 Facts facts_of(const std::vector<Result>& results) {
   Facts facts;
   std::vector<double> values;
-  for (const auto& [theta, estimate, seconds, coherent] : results) {
+  for (const auto& [channel, theta, estimate, seconds, coherent] : results) {
     values.push_back(estimate.value);
     facts.evaluations = std::max(facts.evaluations, static_cast<double>(estimate.evaluations));
     if (estimate.status != Status::divergent && !(estimate.error <= facts.error))
@@ -103,16 +113,19 @@ Facts facts_of(const std::vector<Result>& results) {
 }
 
 int run(const Arguments& arguments) {
-  const std::unique_ptr<Model> model = arguments.model.make();
+  const std::vector<std::string> channels = arguments.model.channels();
+  check_one_channel(arguments.assertions, channels);
+  Models models;
+  for (const std::string& channel : channels) models.emplace_back(channel, arguments.model.make(channel));
   check_answerable(
       arguments.assertions,
       [&](double theta, double phi) {
         return phi == arguments.phi && std::ranges::find(arguments.thetas, theta) != arguments.thetas.end();
       },
       "that direction is not among those of --theta and --phi");
-  const std::vector<Result> results = compute(*model, arguments);
+  const std::vector<Result> results = compute(models, arguments);
   if (arguments.options.json) {
-    print_json(*model, arguments, results);
+    print_json(models, arguments, results);
   } else {
     print_text(arguments.phi, results);
   }
@@ -145,7 +158,9 @@ Command add_at(CLI::App& program) {
       "Example: Ward's model, and a check for continuous integration:\n"
       "  albedo at ward alpha=0.1 --theta 0,60,89.9 --assert 'at(60)==0.488988+-1e-6'\n"
       "A sum of models, each with its parameters behind a colon; weight=0.5 among them halves a part:\n"
-      "  albedo at sum lambert:rho=0.2 ward:alpha=0.1,rho_s=0.3 --theta 0,60");
+      "  albedo at sum lambert:rho=0.2 ward:alpha=0.1,rho_s=0.3 --theta 0,60\n"
+      "A measured material, a result for each of its channels or, with channel=R, one; its table isn't smooth:\n"
+      "  albedo at measured file=material.bsdf --theta 0,60 --rule cubature --tolerance 1e-3");
   return {app, [arguments](const std::string&) { return run(*arguments); }};
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cctype>
 #include <cmath>
@@ -30,16 +31,37 @@ struct Arguments {
 
 double theta_degrees(double cos_theta) { return Direction::from_cosine(cos_theta).theta_degrees(); }
 
-Json describe(const Model& model, const Arguments& arguments, const AlbedoCurve& curve) {
-  Json object{{"model", model.info().name}, {"parameters", parameters_json(model.parameters())}};
+/// The curve of one channel; its name is empty where there is only one.
+struct ChannelCurve {
+  std::string channel;
+  AlbedoCurve curve;
+};
+
+Json describe(const Model& model, const Arguments& arguments, bool several_channels) {
+  Json object = model_json(model, several_channels);
   arguments.options.describe(object);
   object["phi_deg"] = arguments.phi;
+  return object;
+}
+
+Json describe(const AlbedoCurve& curve) {
+  Json object;
   object["form"] = curve.form() == CurveForm::rational ? "rational" : "monotone";
   object["node_count"] = curve.nodes().size();
   object["relative_bound"] = curve.relative_bound();
   object["grazing_exponent"] = curve.grazing_exponent();
   object["evaluations"] = curve.evaluations();
   object["status"] = to_string(curve.status());
+  return object;
+}
+
+/// A curve's own description among what is common to all of them, or one for each channel.
+Json describe(Json object, const std::vector<ChannelCurve>& curves) {
+  if (curves.size() == 1) {
+    object.update(describe(curves.front().curve));
+  } else {
+    for (const auto& [channel, curve] : curves) object["channels"][channel] = describe(curve);
+  }
   return object;
 }
 
@@ -54,14 +76,24 @@ Json with_nodes(Json object, const AlbedoCurve& curve) {
   return object;
 }
 
-void write_csv(const Json& provenance, const AlbedoCurve& curve, std::ostream& out) {
+Json with_nodes(Json object, const std::vector<ChannelCurve>& curves) {
+  if (curves.size() == 1) return with_nodes(std::move(object), curves.front().curve);
+  for (const auto& [channel, curve] : curves) {
+    object["channels"][channel] = with_nodes(std::move(object["channels"][channel]), curve);
+  }
+  return object;
+}
+
+void write_csv(const Json& provenance, const std::vector<ChannelCurve>& curves, std::ostream& out) {
   for (const auto& [key, item] : provenance.items()) {
     out << "# " << key << ": " << comment_text(item.is_string() ? item : Json(json_text(item))) << '\n';
   }
-  out << "theta_deg,cos_theta,albedo,error\n";
-  for (const auto& [cos_theta, estimate] : curve.nodes()) {
-    out << number_text(theta_degrees(cos_theta)) << ',' << number_text(cos_theta) << ',' << number_text(estimate.value)
-        << ',' << number_text(estimate.error) << '\n';
+  out << (curves.size() > 1 ? "channel," : "") << "theta_deg,cos_theta,albedo,error\n";
+  for (const auto& [channel, curve] : curves) {
+    for (const auto& [cos_theta, estimate] : curve.nodes()) {
+      out << channel << (curves.size() > 1 ? "," : "") << number_text(theta_degrees(cos_theta)) << ','
+          << number_text(cos_theta) << ',' << number_text(estimate.value) << ',' << number_text(estimate.error) << '\n';
+    }
   }
 }
 
@@ -82,18 +114,27 @@ void write_nodes(const Json& provenance, const AlbedoCurve& curve, const std::st
               path);
 }
 
-void write(const Json& provenance, const AlbedoCurve& curve, const std::string& path) {
+std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (path != "-" && ending != ".csv" && ending != ".json") {
-    write_nodes(provenance, curve, path);
+  return ending;
+}
+
+bool is_text(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return path == "-" || ending == ".csv" || ending == ".json";
+}
+
+void write(const Json& provenance, const std::vector<ChannelCurve>& curves, const std::string& path) {
+  if (!is_text(path)) {
+    write_nodes(provenance, curves.front().curve, path);
     return;
   }
   AtomicFile file(path);
-  if (ending == ".json") {
-    file.stream() << json_text(with_nodes(provenance, curve)) << '\n';
+  if (ending_of(path) == ".json") {
+    file.stream() << json_text(with_nodes(provenance, curves)) << '\n';
   } else {
-    write_csv(provenance, curve, file.stream());
+    write_csv(provenance, curves, file.stream());
   }
   file.commit();
 }
@@ -111,21 +152,28 @@ double hemispherical_mean(const AlbedoCurve& curve) {
   return sum;
 }
 
-/// Extremes of the nodes and of the limit at grazing incidence.
-Facts facts_of(const AlbedoCurve& curve) {
-  std::vector<double> values{curve(0)};
-  for (const AlbedoCurve::Node& node : curve.nodes()) values.push_back(node.albedo.value);
+/// Extremes of the nodes and of the limit at grazing incidence, over all channels; the mean is theirs too.
+Facts facts_of(const std::vector<ChannelCurve>& curves) {
+  std::vector<double> values;
+  Facts facts{
+      .at = [&curves](double theta, double) { return curves.front().curve(Direction::from_degrees(theta).cos_theta); }};
+  for (const auto& [channel, curve] : curves) {
+    values.push_back(curve(0));
+    for (const AlbedoCurve::Node& node : curve.nodes()) values.push_back(node.albedo.value);
+    facts.mean += hemispherical_mean(curve) / static_cast<double>(curves.size());
+    if (!(curve.relative_bound() <= facts.error)) facts.error = curve.relative_bound();  // keeps NaN
+    facts.evaluations += static_cast<double>(curve.evaluations());
+  }
   const Extent extent = extent_of(values);
-  return {.at = [&curve](double theta, double) { return curve(Direction::from_degrees(theta).cos_theta); },
-          .max = extent.max,
-          .min = extent.min,
-          .mean = hemispherical_mean(curve),
-          .error = curve.relative_bound(),
-          .evaluations = static_cast<double>(curve.evaluations())};
+  facts.max = extent.max, facts.min = extent.min;
+  return facts;
 }
 
 int run(const Arguments& arguments, const std::string& command_line) {
-  const std::unique_ptr<Model> model = arguments.model.make();
+  const std::vector<std::string> channels = arguments.model.channels();
+  check_one_channel(arguments.assertions, channels);
+  std::vector<std::unique_ptr<Model>> models;
+  for (const std::string& channel : channels) models.push_back(arguments.model.make(channel));
   const std::string output = arguments.output.empty() && !arguments.options.json ? "-" : arguments.output;
   if (output == "-" && arguments.options.json)
     throw ParameterError("--json and --output - would both use standard output");
@@ -133,20 +181,28 @@ int run(const Arguments& arguments, const std::string& command_line) {
       arguments.assertions, [&](double, double phi) { return phi == arguments.phi; },
       "the curve is that of another --phi");
   if (!output.empty()) check_table_path(output, {{.name = "cos_theta", .values = {1}}});
+  if (channels.size() > 1 && !output.empty() && !is_text(output)) {
+    throw ParameterError(
+        "the curves of several channels have nodes of their own: write a .csv or .json, or give channel=" +
+        channels.front());
+  }
 
   CurveOptions options{.albedo = arguments.options.albedo()};
   options.phi_degrees = arguments.phi;
-  const AlbedoCurve curve(*model, options);
+  std::vector<ChannelCurve> curves;
+  for (std::size_t i = 0; i < channels.size(); ++i) curves.push_back({channels[i], AlbedoCurve(*models[i], options)});
 
-  const Json description = describe(*model, arguments, curve);
+  const Json description = describe(describe(*models.front(), arguments, channels.size() > 1), curves);
   if (!output.empty()) {
     Json provenance = begin_provenance(command_line);
     provenance.update(description);
-    write(provenance, curve, output);
+    write(provenance, curves, output);
   }
-  if (arguments.options.json) std::cout << json_text(with_nodes(description, curve)) << '\n';
-  const std::size_t missed = curve.status() == Status::converged ? 0 : 1;
-  return concluding_exit_code(arguments.assertions, facts_of(curve), {1, missed});
+  if (arguments.options.json) std::cout << json_text(with_nodes(description, curves)) << '\n';
+  const auto missed =
+      std::ranges::count_if(curves, [](const ChannelCurve& c) { return c.curve.status() != Status::converged; });
+  return concluding_exit_code(arguments.assertions, facts_of(curves),
+                              {curves.size(), static_cast<std::size_t>(missed)});
 }
 
 }  // namespace

@@ -1,16 +1,33 @@
 #include "analysis/commands/model_arguments.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
+#include "analysis/commands/checks.hpp"
 
 namespace albedo::analysis {
 namespace {
 
-/// A model from NAME=VALUE assignments; "NAME is set twice" where two of them set the same parameter.
-std::unique_ptr<Model> make_assigned(const std::string& model, const std::vector<Assignment>& assignments) {
+/// One model as it is written.
+struct Written {
+  std::string model;
+  std::vector<Assignment> assignments{};
+  double weight = 1;
+
+  /// Its choice of a channel, if it has one that isn't given; nullptr otherwise.
+  [[nodiscard]] const ParameterInfo* open_channel() const {
+    const ParameterInfo* channel = model_info(model).channel();
+    const auto is_channel = [&](const Assignment& a) { return channel != nullptr && a.name == channel->name; };
+    return std::ranges::any_of(assignments, is_channel) ? nullptr : channel;
+  }
+};
+
+/// "NAME is set twice" where two of the assignments set the same parameter.
+std::unique_ptr<Model> make_written(const Written& written, const std::string& channel) {
+  const auto& [model, assignments, weight] = written;
   const ModelInfo& info = model_info(model);
   Parameters values;
   std::vector<std::string> names;
@@ -18,36 +35,43 @@ std::unique_ptr<Model> make_assigned(const std::string& model, const std::vector
     values.push_back(parameter_of(info, assignment));
     names.push_back(assignment.name);
   }
+  const ParameterInfo* open = written.open_channel();
+  if (open != nullptr && !channel.empty()) values.emplace_back(open->name, channel);
   std::unique_ptr<Model> made = make_model(model, values);
   check_set_once(info, names);
   return made;
 }
 
 /// MODEL[:NAME=VALUE[,NAME=VALUE]...], one of the names may be `weight`.
-SumModel::Part part_of(const std::string& text) {
+Written part_of(const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string model = text.substr(0, colon);
   if (model.empty() || model.find('=') != std::string::npos) {
     throw ParameterError("sum: '" + text + "' is not of the form MODEL or MODEL:NAME=VALUE,NAME=VALUE");
   }
   if (model == sum_name) throw ParameterError("sum: '" + text + "' is a sum; write its parts instead");
-  SumModel::Part part;
-  std::vector<Assignment> assignments;
+  Written part{.model = model};
   bool weighted = false;
   for (std::size_t begin = colon; begin != std::string::npos;) {
     const std::size_t end = text.find(',', begin + 1);
     const Assignment assignment = parse_assignment(std::string_view(text).substr(begin + 1, end - begin - 1));
     begin = end;
     if (assignment.name != "weight") {
-      assignments.push_back(assignment);
+      part.assignments.push_back(assignment);
       continue;
     }
     if (weighted) throw ParameterError("sum: '" + text + "' has its weight set twice");
     weighted = true;
     part.weight = parse_number(model + ": weight", assignment.text);
   }
-  part.model = make_assigned(model, assignments);
   return part;
+}
+
+std::vector<Written> parts_of(const std::vector<std::string>& texts) {
+  if (texts.empty()) throw ParameterError("sum has no parts; give some, such as lambert:rho=0.2");
+  std::vector<Written> parts;
+  for (const std::string& text : texts) parts.push_back(part_of(text));
+  return parts;
 }
 
 }  // namespace
@@ -59,12 +83,26 @@ std::vector<Assignment> ModelArguments::assignments() const {
   return result;
 }
 
-std::unique_ptr<Model> ModelArguments::make() const {
-  if (model != sum_name) return make_assigned(model, assignments());
-  if (parameters.empty()) throw ParameterError("sum has no parts; give some, such as lambert:rho=0.2");
+std::vector<std::string> ModelArguments::channels() const {
+  const std::vector<Written> written =
+      model == sum_name ? parts_of(parameters) : std::vector<Written>{{model, assignments()}};
+  for (const Written& one : written) {
+    if (const ParameterInfo* channel = one.open_channel()) return channel->choices;
+  }
+  return {""};
+}
+
+std::unique_ptr<Model> ModelArguments::make(const std::string& channel) const {
+  if (model != sum_name) return make_written({model, assignments()}, channel);
   std::vector<SumModel::Part> parts;
-  for (const std::string& part : parameters) parts.push_back(part_of(part));
+  for (const Written& part : parts_of(parameters)) parts.push_back({part.weight, make_written(part, channel)});
   return std::make_unique<SumModel>(std::move(parts));
+}
+
+void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels) {
+  if (channels.size() == 1) return;
+  check_answerable(
+      assertions, [](double, double) { return false; }, "there are several channels; channel=R is one of them");
 }
 
 void add_model_arguments(CLI::App& command, ModelArguments& arguments) {
@@ -77,7 +115,7 @@ void add_model_arguments(CLI::App& command, ModelArguments& arguments) {
 
 std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment) {
   for (const std::string& name : model.resolve(assignment.name)) {
-    if (model.find(name)->is_choice()) return {assignment.name, assignment.text};
+    if (model.find(name)->is_choice() || model.find(name)->is_text) return {assignment.name, assignment.text};
     return {assignment.name, parse_number(model.name + ": " + assignment.name, assignment.text)};
   }
   return {assignment.name, 0.0};  // make_model refuses the name
@@ -92,6 +130,17 @@ void check_set_once(const ModelInfo& model, const std::vector<std::string>& name
       throw ParameterError(model.name + ": " + parameter + " is set twice, by " + other->second + " and by " + name);
     }
   }
+}
+
+nlohmann::ordered_json model_json(const Model& model, bool several_channels) {
+  Parameters parameters = model.parameters();
+  if (several_channels) {
+    std::erase_if(parameters, [&](const auto& parameter) {
+      const ParameterInfo* info = model.info().find(parameter.first);
+      return info != nullptr && info->is_choice() && info->per_channel;
+    });
+  }
+  return {{"model", model.info().name}, {"parameters", parameters_json(parameters)}};
 }
 
 nlohmann::ordered_json parameters_json(const Parameters& parameters) {

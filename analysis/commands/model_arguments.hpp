@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "albedo/core/model.hpp"
+#include "analysis/input/assertion.hpp"
 #include "analysis/input/value.hpp"
 
 namespace albedo::analysis {
@@ -23,9 +24,16 @@ struct ModelArguments {
 
   /// @throws ParameterError if there is no model, or an argument is not NAME=VALUE
   [[nodiscard]] std::vector<Assignment> assignments() const;
+  /// The colour channels to answer for: one that has no name, or all of a measured model whose channel isn't given.
   /// @throws UnknownModel, ParameterError
-  [[nodiscard]] std::unique_ptr<Model> make() const;
+  [[nodiscard]] std::vector<std::string> channels() const;
+  /// @param channel of the models whose channel isn't given
+  /// @throws UnknownModel, ParameterError, FormatError
+  [[nodiscard]] std::unique_ptr<Model> make(const std::string& channel = "") const;
 };
+
+/// @throws ParameterError for an --assert of at(...) where there are several channels
+void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels);
 
 void add_model_arguments(CLI::App& command, ModelArguments& arguments);
 
@@ -35,6 +43,9 @@ std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& mod
 
 /// @throws ParameterError if two of the names set the same parameter, such as alpha and alpha_x
 void check_set_once(const ModelInfo& model, const std::vector<std::string>& names);
+
+/// {"model": "ward", "parameters": {...}}; without the channel where there are several.
+nlohmann::ordered_json model_json(const Model& model, bool several_channels);
 
 /// {"alpha_x": 0.1, "masking": "none"}
 nlohmann::ordered_json parameters_json(const Parameters& parameters);

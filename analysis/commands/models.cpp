@@ -19,7 +19,7 @@ struct Arguments {
 
 /// What a model claims with its default parameters, as words.
 std::string claims_text(const ModelInfo& info) {
-  const Claims claims = make_model(info.name)->claims();
+  const Claims claims = info.claims;
   std::vector<std::string> words;
   if (claims.reciprocal) words.emplace_back("reciprocal");
   if (claims.conserves_energy) words.emplace_back("energy-conserving");
@@ -29,11 +29,13 @@ std::string claims_text(const ModelInfo& info) {
 }
 
 std::string default_text(const ParameterInfo& parameter) {
+  if (parameter.is_text) return "FILE";
   if (parameter.is_choice()) return parameter.choices.at(static_cast<std::size_t>(parameter.default_value));
   return number_text(parameter.default_value, 6);
 }
 
 std::string range_text(const ParameterInfo& parameter) {
+  if (parameter.is_text) return "must be given";
   if (parameter.is_choice()) return joined(parameter.choices, "|");
   return "[" + number_text(parameter.range.minimum, 6) + ", " + number_text(parameter.range.maximum, 6) + "]";
 }
@@ -53,7 +55,10 @@ void print_text(const ModelInfo& info) {
   for (const ParameterInfo& parameter : info.parameters) {
     std::cout << "    " << padded(parameter.name + "=" + default_text(parameter), name_width)
               << padded(range_text(parameter), range_width) << parameter.meaning
-              << (parameter.per_channel ? " (may be RGB)" : "") << '\n';
+              << (!parameter.per_channel  ? ""
+                  : parameter.is_choice() ? "; all of them where it isn't given"
+                                          : " (may be RGB)")
+              << '\n';
   }
   for (const Shorthand& shorthand : info.shorthands) {
     std::cout << "    " << shorthand.name << " sets " << joined(shorthand.parameters, " and ") << '\n';
@@ -62,7 +67,9 @@ void print_text(const ModelInfo& info) {
 
 Json parameter_json(const ParameterInfo& parameter) {
   Json object{{"name", parameter.name}, {"meaning", parameter.meaning}};
-  if (parameter.is_choice()) {
+  if (parameter.is_text) {
+    object["text"] = true;
+  } else if (parameter.is_choice()) {
     object["default"] = default_text(parameter);
     object["choices"] = parameter.choices;
   } else {
@@ -79,7 +86,7 @@ Json model_json(const ModelInfo& info) {
   for (const ParameterInfo& parameter : info.parameters) object["parameters"].push_back(parameter_json(parameter));
   object["shorthands"] = Json::object();
   for (const Shorthand& shorthand : info.shorthands) object["shorthands"][shorthand.name] = shorthand.parameters;
-  const Claims claims = make_model(info.name)->claims();
+  const Claims claims = info.claims;
   object["claims"] = {{"reciprocal", claims.reciprocal},
                       {"conserves_energy", claims.conserves_energy},
                       {"bounded", claims.bounded},

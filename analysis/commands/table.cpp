@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -46,6 +47,34 @@ struct Filled {
         unconverged(table.unconverged()),
         divergent(table.divergent()),
         evaluations(table.evaluations()) {}
+};
+
+/// Tables of the same axes, one after the other.
+class StackedTables {
+ public:
+  void add(const AlbedoTable& table) {
+    values_.insert(values_.end(), table.values().begin(), table.values().end());
+    errors_.insert(errors_.end(), table.errors().begin(), table.errors().end());
+    if (!(table.worst_error() <= worst_error_)) worst_error_ = table.worst_error();  // keeps NaN
+    interpolation_error_ = std::max(interpolation_error_, table.interpolation_error());
+    unconverged_ += table.unconverged();
+    divergent_ += table.divergent();
+    evaluations_ += table.evaluations();
+  }
+
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+  [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
+  [[nodiscard]] double worst_error() const { return worst_error_; }
+  [[nodiscard]] double interpolation_error() const { return interpolation_error_; }
+  [[nodiscard]] std::size_t unconverged() const { return unconverged_; }
+  [[nodiscard]] std::size_t divergent() const { return divergent_; }
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+
+ private:
+  std::vector<double> values_, errors_;
+  double worst_error_ = 0, interpolation_error_ = 0;
+  std::size_t unconverged_ = 0, divergent_ = 0;
+  std::int64_t evaluations_ = 0;
 };
 
 /// The table at one direction, linearly interpolated along its only axis. The axis is `theta` or `cos_theta`, in any
@@ -149,12 +178,24 @@ int run(const Arguments& arguments, const std::string& command_line) {
   }
 
   const TableRequest request = parse_table_request(arguments.model);
-  check_before(arguments, request.document_axes(), request.phi());
-  const AlbedoTable table(request.model, request.fixed, request.axes, options);
+  std::vector<Axis> axes = request.document_axes();
+  const bool by_channel = request.channels.size() > 1;
+  if (by_channel) axes.insert(axes.begin(), Axis{.name = "channel", .labels = request.channels});
+  check_before(arguments, axes, request.phi());
   provenance["model"] = request.model;
   provenance["parameters"] = parameters_json(request.fixed_parameters());
   for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
-  return conclude(arguments, Filled(request.document_axes(), table), std::move(provenance), seconds());
+  if (!by_channel) {
+    const AlbedoTable table(request.model, request.fixed, request.axes, options);
+    return conclude(arguments, Filled(axes, table), std::move(provenance), seconds());
+  }
+  StackedTables tables;
+  for (const std::string& channel : request.channels) {
+    Parameters fixed = request.fixed;
+    fixed.emplace_back(model_info(request.model).channel()->name, channel);
+    tables.add(AlbedoTable(request.model, fixed, request.axes, options));
+  }
+  return conclude(arguments, Filled(axes, tables), std::move(provenance), seconds());
 }
 
 }  // namespace

@@ -12,6 +12,11 @@ bool is_direction(const std::string& name) { return name == "cos_theta" || name 
 
 bool varies(const Assignment& assignment) { return assignment.text.find_first_of(":,") != std::string::npos; }
 
+bool is_text(const ModelInfo& model, const Assignment& assignment) {
+  const ParameterInfo* parameter = model.find(assignment.name);
+  return parameter != nullptr && parameter->is_text;
+}
+
 TableAxis parse_direction_axis(const Assignment& assignment) {
   TableAxis axis{assignment.name, parse_values(assignment.name, assignment.text)};
   for (const double value : axis.values) {
@@ -94,6 +99,7 @@ Parameters TableRequest::fixed_parameters() const {
   const ModelInfo& info = model_info(model);
   Parameters result = make_model(model, fixed)->parameters();
   std::erase_if(result, [&](const auto& parameter) {
+    if (channels.size() > 1 && parameter.first == info.channel()->name) return true;
     return std::ranges::any_of(axes, [&](const TableAxis& axis) {
       const std::vector<std::string> varied = info.resolve(axis.name);
       return std::ranges::find(varied, parameter.first) != varied.end();
@@ -106,7 +112,8 @@ TableRequest parse_table_request(const ModelArguments& arguments) {
   if (arguments.model == sum_name) throw ParameterError("a table varies the parameters of one model, and sum has none");
   const std::vector<Assignment> assignments = arguments.assignments();
   const ModelInfo& info = model_info(arguments.model);
-  TableRequest request{.model = arguments.model, .fixed = {}, .axes = {}, .is_in_document = {}};
+  TableRequest request{
+      .model = arguments.model, .fixed = {}, .axes = {}, .is_in_document = {}, .channels = arguments.channels()};
   bool has_polar_angle = false;
   for (const Assignment& assignment : assignments) {
     const std::string& name = assignment.name;
@@ -114,7 +121,7 @@ TableRequest parse_table_request(const ModelArguments& arguments) {
       request.axes.push_back(parse_direction_axis(assignment));
       request.is_in_document.push_back(varies(assignment));
       has_polar_angle = has_polar_angle || name != "phi";
-    } else if (varies(assignment)) {
+    } else if (varies(assignment) && !is_text(info, assignment)) {
       request.axes.push_back(parse_parameter_axis(info, assignment));
       request.is_in_document.push_back(true);
     } else {

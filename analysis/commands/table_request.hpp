@@ -17,7 +17,8 @@ struct TableRequest {
   std::string model;
   Parameters fixed;
   std::vector<TableAxis> axes;
-  std::vector<bool> is_in_document;  ///< for each axis
+  std::vector<bool> is_in_document;     ///< for each axis
+  std::vector<std::string> channels{};  ///< of ModelArguments
 
   [[nodiscard]] std::vector<Axis> document_axes() const;
   [[nodiscard]] std::vector<TableAxis> fixed_directions() const;

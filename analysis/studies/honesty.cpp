@@ -98,7 +98,9 @@ void check_reference(Honesty& result, const Answers& answers, std::uint64_t inde
 HonestyOptions completed(HonestyOptions options) {
   if (options.rules.empty()) options.rules.assign(all_rules.begin(), all_rules.end());
   if (options.models.empty()) {
-    for (const ModelInfo& info : model_infos()) options.models.push_back(info.name);
+    for (const ModelInfo& info : model_infos()) {
+      if (!info.needs_input()) options.models.push_back(info.name);
+    }
   }
   for (const std::string& model : options.models) static_cast<void>(model_info(model));
   if (options.warp == Warp::paper) {

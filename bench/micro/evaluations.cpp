@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "albedo/warps/half_angles.hpp"
 #include "albedo/warps/half_vector.hpp"
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
+#include "albedo/warps/near_mirror.hpp"
 #include "core/lobe_integrand.hpp"
 
 namespace albedo {
@@ -27,6 +29,10 @@ std::unique_ptr<Integrand<double>> integrand_of(const Model& model) {
       return std::make_unique<LobeIntegrand<MirrorLobeWarp, T>>(model, lobe, l, tolerance, false);
     case LobeShape::half_vector:
       return std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, tolerance, false);
+    case LobeShape::near_mirror:
+      return std::make_unique<LobeIntegrand<NearMirrorWarp, T>>(model, lobe, l, tolerance, false);
+    case LobeShape::half_angles:
+      return std::make_unique<LobeIntegrand<HalfAnglesWarp, T>>(model, lobe, l, tolerance, false);
     case LobeShape::cosine:
       break;
   }
@@ -69,6 +75,7 @@ void add(const ModelInfo& info, const std::string& variant, const Parameters& pa
 
 const bool registered = [] {
   for (const ModelInfo& info : model_infos()) {
+    if (info.needs_input()) continue;
     add(info, "default", {});
     for (const Roughness& roughness : roughnesses) {
       if (info.resolve(roughness.parameter).empty()) continue;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "albedo/directional_albedo.hpp"
+#include "albedo/warps/half_angles.hpp"
 #include "albedo/warps/half_vector.hpp"
 #include "albedo/warps/hemisphere.hpp"
 #include "albedo/warps/mirror_lobe.hpp"
@@ -47,6 +48,10 @@ std::unique_ptr<Integrand<Scalar<T>>> integrand_of(const Model& model, const Dir
       case LobeShape::near_mirror:
         parts.push_back(
             std::make_unique<LobeIntegrand<NearMirrorWarp, T>>(model, lobe, l, options.tolerance, as_float));
+        break;
+      case LobeShape::half_angles:
+        parts.push_back(
+            std::make_unique<LobeIntegrand<HalfAnglesWarp, T>>(model, lobe, l, options.tolerance, as_float));
         break;
     }
   }

@@ -58,9 +58,17 @@ std::unique_ptr<Model> make(const ModelInfo& info, const Parameters& parameters)
     }
     for (const Parameter<M>& parameter : M::parameters()) {
       if (std::find(names.begin(), names.end(), parameter.info.name) == names.end()) continue;
-      parameter.set(model, checked_value(info, parameter.info, value));
+      if (parameter.info.is_text) {
+        if (!std::holds_alternative<std::string>(value)) {
+          throw ParameterError(info.name + ": " + name + " is a number and must be a text");
+        }
+        parameter.text(model) = std::get<std::string>(value);
+      } else {
+        parameter.set(model, checked_value(info, parameter.info, value));
+      }
     }
   }
+  if constexpr (requires { model.load(); }) model.load();
   return std::make_unique<ErasedModel<M>>(std::move(model), info);
 }
 
@@ -68,6 +76,7 @@ template <class M>
 ModelInfo complete_info() {
   ModelInfo info = M::info();
   for (const Parameter<M>& parameter : M::parameters()) info.parameters.push_back(parameter.info);
+  info.claims = M{}.claims();
   return info;
 }
 
@@ -102,6 +111,16 @@ struct Registry {
 const ParameterInfo* ModelInfo::find(std::string_view wanted) const {
   const auto found =
       std::find_if(parameters.begin(), parameters.end(), [&](const auto& p) { return p.name == wanted; });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+bool ModelInfo::needs_input() const {
+  return std::any_of(parameters.begin(), parameters.end(), [](const ParameterInfo& p) { return p.is_text; });
+}
+
+const ParameterInfo* ModelInfo::channel() const {
+  const auto found =
+      std::find_if(parameters.begin(), parameters.end(), [](const auto& p) { return p.is_choice() && p.per_channel; });
   return found == parameters.end() ? nullptr : &*found;
 }
 

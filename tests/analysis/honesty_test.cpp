@@ -20,7 +20,9 @@ const RuleHonesty& of(const Honesty& honesty, Rule rule) {
 
 TEST(RandomCases, AreTheSameInAnyOrderAndCoverWhatTheyShould) {
   std::vector<std::string> models;
-  for (const ModelInfo& info : model_infos()) models.push_back(info.name);
+  for (const ModelInfo& info : model_infos()) {
+    if (!info.needs_input()) models.push_back(info.name);
+  }
   std::size_t grazing = 0, anisotropic = 0, wards = 0;
   std::vector<bool> seen(models.size(), false);
   for (std::uint64_t i = 0; i < 2000; ++i) {

@@ -25,6 +25,11 @@ class ErasedModel final : public Model {
   [[nodiscard]] Parameters parameters() const override {
     Parameters values;
     for (const Parameter<M>& p : M::parameters()) {
+      if (p.info.is_text) {
+        M copy = model_;
+        values.emplace_back(p.info.name, p.text(copy));
+        continue;
+      }
       const double value = p.get(model_);
       if (p.info.is_choice()) {
         values.emplace_back(p.info.name, p.info.choices[static_cast<std::size_t>(value)]);

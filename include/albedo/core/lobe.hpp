@@ -11,6 +11,7 @@ enum class LobeShape {
   half_vector,  ///< the half vector's slopes
   near_mirror,  ///< the mirror direction, in elevation and azimuth; width_x ~ that of its half vectors' slopes
                 ///< (isotropic)
+  half_angles,  ///< nothing a width would tell: a table over the half vector's polar angle and azimuth
 };
 
 /// How a lobe falls off from its centre.

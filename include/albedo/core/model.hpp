@@ -30,6 +30,8 @@ struct ParameterInfo {
   bool per_channel = false;            ///< may differ for red, green and blue
   std::vector<std::string> choices{};  ///< non-empty: the parameter is one of these names and default_value is an index
 
+  bool is_text = false;  ///< any text, such as a file's name; it has no default and must be given
+
   [[nodiscard]] bool is_choice() const { return !choices.empty(); }
 };
 
@@ -55,14 +57,19 @@ struct ModelInfo {
   std::string deviation;  ///< from the source, or "none"
   std::vector<ParameterInfo> parameters{};
   std::vector<Shorthand> shorthands{};
+  Claims claims{};  ///< with its default parameters
 
+  /// Whether some parameter has no default.
+  [[nodiscard]] bool needs_input() const;
+  /// The choice of a colour channel, or nullptr: asked for without it, such a model stands for one of each.
+  [[nodiscard]] const ParameterInfo* channel() const;
   /// The parameter of that name, or nullptr.
   [[nodiscard]] const ParameterInfo* find(std::string_view wanted) const;
   /// The parameters that a name stands for: itself, or a shorthand's; empty if there is none.
   [[nodiscard]] std::vector<std::string> resolve(std::string_view wanted) const;
 };
 
-/// A number, or the name of a choice.
+/// A number, the name of a choice, or a text.
 using ParameterValue = std::variant<double, std::string>;
 using Parameters = std::vector<std::pair<std::string, ParameterValue>>;
 

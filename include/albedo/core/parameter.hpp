@@ -14,6 +14,7 @@ struct Parameter {
   ParameterInfo info;  ///< default_value is filled in from M{}
   double (*get)(const M&);
   void (*set)(M&, double);
+  std::string& (*text)(M&) = nullptr;  ///< of a text, in place of the two above
 };
 
 namespace detail {
@@ -58,6 +59,15 @@ Parameter<M> choice(std::string name, std::vector<std::string> names, std::strin
   const Range range{0, static_cast<double>(names.size() - 1)};
   return detail::bind<M, Path...>(
       {.name = std::move(name), .meaning = std::move(meaning), .range = range, .choices = std::move(names)});
+}
+
+/// A text without a default; the member is a string.
+template <class M, auto Member>
+Parameter<M> text(std::string name, std::string meaning) {
+  return {.info = {.name = std::move(name), .meaning = std::move(meaning), .is_text = true},
+          .get = nullptr,
+          .set = nullptr,
+          .text = [](M& m) -> std::string& { return m.*Member; }};
 }
 
 inline constexpr Range roughness_range{1e-6, 100};

@@ -12,6 +12,7 @@
 #include "albedo/models/kurt.hpp"
 #include "albedo/models/lafortune.hpp"
 #include "albedo/models/lambert.hpp"
+#include "albedo/models/measured.hpp"
 #include "albedo/models/microfacet_generator.hpp"
 #include "albedo/models/neumann_phong.hpp"
 #include "albedo/models/neumann_stretched.hpp"
@@ -30,8 +31,9 @@ template <class... Models>
 struct ModelList {};
 
 /// Every model of the toolkit, in the order in which they are listed. Adding one is its header and its name here.
-using AllModels = ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune,
-                            NeumannPhong, NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley,
-                            AshikhminPremoze, Schlick, Edwards, Kurt, Beckmann, Ggx, MicrofacetGenerator, HeTorrance>;
+using AllModels =
+    ModelList<Lambert, OrenNayar, ShirleyMatte, Phong, PhongOriginal, Blinn, BlinnOriginal, Lafortune, NeumannPhong,
+              NeumannStretched, Ward, WardDuer, WardBounded, CookTorrance, AshikhminShirley, AshikhminPremoze, Schlick,
+              Edwards, Kurt, Beckmann, Ggx, MicrofacetGenerator, HeTorrance, Measured>;
 
 }  // namespace albedo

@@ -19,7 +19,8 @@ class HemisphereWarp {
 
  public:
   HemisphereWarp(const Lobe& lobe, const Direction& l, double tolerance)
-      : symmetric_(lobe.shape == LobeShape::cosine || mirror_symmetric(lobe, l)),
+      : symmetric_(lobe.shape == LobeShape::cosine ||
+                   (lobe.shape != LobeShape::half_angles && mirror_symmetric(lobe, l))),
         l_(unit_vector<S>(l)),
         axis_(lobe_axis(lobe, l_)) {
     const S planar = sqrt(square(axis_.x) + square(axis_.y));
@@ -52,7 +53,8 @@ class HemisphereWarp {
     const double reach = lobe.profile == Profile::ggx ? 100 : 4;  // in widths; a heavy tail is met far out
     const bool grazing = cosine < 0.03 || (cosine < 0.2 && cosine < reach * wide);
     const bool changing = lobe.shape == LobeShape::near_mirror && wide < 0.1;  // wider than it says away from N
-    if (grazing || changing || wide > 4 * narrow) {
+    const bool unknown = lobe.shape == LobeShape::half_angles;
+    if (grazing || changing || unknown || wide > 4 * narrow) {
       for (Panel& panel : panels_) panel.tracked = false;
       return;
     }

@@ -43,8 +43,12 @@ class NearMirrorWarp {
     add({S(0), S(1), stretched(middle, layer)}, digits);
     add({mirror_, S(-1), stretched(middle, elevation)}, digits);
     // where masking sets in at R itself, it changes with cosθ_V as fast as N·L is small
-    const S fastest = cos_l_ < 2 * facets && mirror_ < elevation ? mirror_ : elevation;
-    if (below_zenith_ > 0) add({mirror_, S(1), stretched(below_zenith_, fastest)}, digits);
+    S from = 0;
+    if (cos_l_ < 2 * facets && mirror_ < elevation && elevation < below_zenith_) {
+      add({mirror_, S(1), stretched(elevation, mirror_)}, digits);
+      from = elevation;
+    }
+    if (below_zenith_ > 0) add({mirror_ + from, S(1), stretched(S(below_zenith_ - from), elevation)}, digits);
     // masking's layer along the horizon, and its cone at V = N, rounded over an angle of 1/width
     for (Panel& panel : panels_) panel.layered = true;
   }
