@@ -7,15 +7,23 @@
 namespace albedo {
 
 /// A map of [0, 1] onto itself that behaves like u^left at 0 and like 1 − (1 − u)^right at 1: it makes an integrand
-/// with a fractional power at an end smooth (power 2 for a half-integer, 3 for any other). Powers are 1, 2 or 3.
+/// with a fractional power at an end smooth (power 2 for a half-integer, 3 or more for any other: p < 0 at the right
+/// end becomes the second power with 3/(p + 1)). Powers are 1 and 2 or 3, which are polynomials, or any.
 struct EndMap {
-  int left = 1, right = 1;
+  double left = 1, right = 1;
 
   /// g(u), 1 − g(u) without cancellation, and g′(u).
   template <class T>
   void at(const T& u, T& g, T& complement, T& slope) const {
     const T v = 1 - u;
-    if (left == 1 && right == 1) {
+    if (right != 1 && right != 2 && right != 3) {
+      const Scalar<T> first(right), second(left);
+      const T rest = exp(T(first * log(v)));
+      const T inner = -expm1(T(first * log1p(T(-u))));
+      g = left == 1 ? inner : T(exp(T(second * log(inner))));
+      complement = left == 1 ? rest : T(-expm1(T(second * log1p(T(-rest)))));
+      slope = first * second * (g / inner) * (rest / v);
+    } else if (left == 1 && right == 1) {
       g = u, complement = v, slope = T(1);
     } else if (left == 1) {
       const T last = right == 2 ? v : square(v);
