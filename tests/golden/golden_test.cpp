@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "albedo/directional_albedo.hpp"
+#include "golden/entries.hpp"
 
 /// Values that share nothing with the library: closed forms and an independent quadrature. README.md says how they were
 /// made.
@@ -14,24 +13,6 @@ namespace albedo {
 namespace {
 
 using nlohmann::json;
-
-json read(const std::string& file) {
-  std::ifstream stream(std::string(ALBEDO_GOLDEN_DIR) + "/" + file);
-  EXPECT_TRUE(stream) << file;
-  return json::parse(stream);
-}
-
-Parameters parameters_of(const json& entry) {
-  Parameters parameters;
-  for (const auto& [name, value] : entry.at("parameters").items()) {
-    if (value.is_string()) {
-      parameters.emplace_back(name, value.get<std::string>());
-    } else {
-      parameters.emplace_back(name, value.get<double>());
-    }
-  }
-  return parameters;
-}
 
 std::string describe(const json& entry) {
   return entry.at("model").get<std::string>() + " " + entry.at("parameters").dump() + " at " +
