@@ -72,7 +72,8 @@ TEST_P(Golden, OtherRulesAgree) {
         << describe(entry) << ": " << cubature.value << " for " << exact << ", error " << cubature.error;
     const Estimate stratified =
         directional_albedo(model, l, {.rule = Rule::stratified, .tolerance = 1e-2, .budget = 100'000, .seed = 5});
-    EXPECT_LE(std::abs(stratified.value - exact), 4 * stratified.error + uncertainty(entry, exact))
+    constexpr double widest = 6;  // standard errors: one of 16 replicates exceeds that in one of 40 000 cases
+    EXPECT_LE(std::abs(stratified.value - exact), widest * stratified.error + uncertainty(entry, exact))
         << describe(entry) << ": " << stratified.value << " for " << exact << ", error " << stratified.error;
   });
 }
