@@ -37,7 +37,7 @@ class HalfVectorWarp {
         l_(unit_vector<S>(l)),
         axis_(lobe_axis(lobe, l_)),
         turn_(make_turn(lobe, l)) {
-    const Cut cut = profile_ == Profile::ggx ? Cut{1e250, 0} : lobe_cut(tolerance);
+    const Cut cut = profile_ == Profile::ggx ? Cut{1e250, 0} : lobe_cut(tolerance, lobe.growth);
     cut_ = cut.radius;
     truncation_ = cut.truncation;
     widest_ = lobe.width_x > lobe.width_y ? S(alpha_x_) : S(alpha_y_);

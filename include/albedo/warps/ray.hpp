@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "albedo/core/number.hpp"
@@ -50,13 +51,16 @@ struct EndMap {
 /// Where a lobe that falls off like exp(−r²) has ended.
 struct Cut {
   double radius;      ///< r
-  double truncation;  ///< bounds the rest, relative to the whole, for integrands that grow no faster than r²
+  double truncation;  ///< bounds the rest, relative to the whole
 };
 
-/// The end of a lobe for a relative tolerance; the rest is about a tenth of it.
-inline Cut lobe_cut(double tolerance) {
-  const double radius2 = 6.5 - std::log(tolerance);
-  return {std::sqrt(radius2), 2 * radius2 * std::exp(-radius2)};
+/// The end of a lobe for a relative tolerance; the rest is about a tenth of it. @param growth k of an integrand that
+/// grows towards the end like r^(2k): its rest is R^k exp(−R)/k! at r² = R
+inline Cut lobe_cut(double tolerance, double growth = 1) {
+  const double least = 6.5 - std::log(tolerance), factorial = std::lgamma(growth + 1);
+  double radius2 = least;
+  for (int i = 0; i < 10; ++i) radius2 = std::max(least, least + (growth - 1) * std::log(radius2) - factorial);
+  return {std::sqrt(radius2), 2 * std::exp(growth * std::log(radius2) - radius2 - factorial)};
 }
 
 /// asinh(x) for x ≥ 0, accurate near 0.
