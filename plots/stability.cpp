@@ -140,6 +140,20 @@ upper(s) = column('height') + 1.04 * half_height[s]
   return gp;
 }
 
+/// An empty panel over all others, for the legend.
+constexpr std::string_view legend_style = R"gp(
+set multiplot
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set tmargin at screen 0.995
+set bmargin at screen 0.943
+unset border
+unset tics
+set xrange [0:1]
+set yrange [0:1]
+set key center center vertical maxrows 3 Left reverse samplen 2 width -1 spacing 1.1 * letter font ',8'
+)gp";
+
 constexpr std::string_view panel_style = R"gp(
 set border 15 linewidth 0.5 linecolor rgb '#000000'
 set xrange [log10(90) + half_width : -10 - half_width]
@@ -174,17 +188,10 @@ set linetype 13 linecolor rgb '#3A5F7D'
 set linetype 14 linecolor rgb '#C8320A'
 set linetype 15 linecolor rgb '#000000'
 
-set multiplot
-set lmargin at screen 0.02
-set rmargin at screen 0.98
-set tmargin at screen 0.995
-set bmargin at screen 0.943
-unset border
-unset tics
-set xrange [0:1]
-set yrange [0:1]
-set key center center vertical maxrows 3 Left reverse samplen 2 width -1 spacing 1.1 * letter font ',8'
-plot NaN with boxes linewidth 0.5 dashtype solid fillstyle solid 1 border linecolor rgb '#000000' fillcolor linetype 11 title 'right, and claims so', \
+)gp";
+  gp += legend_style;
+  gp +=
+      R"gp(plot NaN with boxes linewidth 0.5 dashtype solid fillstyle solid 1 border linecolor rgb '#000000' fillcolor linetype 11 title 'right, and claims so', \
      NaN with boxes linewidth 0.5 dashtype solid fillstyle solid 1 border linecolor rgb '#000000' fillcolor linetype 12 title 'right, not claimed', \
      NaN with boxes linewidth 0.5 dashtype solid fillstyle pattern 4 border linecolor rgb '#000000' fillcolor linetype 13 title 'too low, not claimed', \
      NaN with boxes linewidth 0.5 dashtype solid fillstyle pattern 5 border linecolor rgb '#000000' fillcolor linetype 13 title 'too high, not claimed', \
@@ -245,17 +252,10 @@ array bin_colors = ['#F7FCF0', '#CCEBC5', '#A8DDB5', '#7BCCC4', '#4EB3D3', '#2B8
 array bin_titles = ['relative error below 10^{−6}', '10^{−6} … 10^{−5}', '10^{−5} … 10^{−4}', '10^{−4} … 10^{−3}', '0.1 % … 1 %', '1 % … 10 %', '10 % … 100 %', 'above 100 %']
 bin(e) = e != e ? NaN : (e == 0 ? 1 : (b = int(floor(log10(abs(e)))) + 8, b < 1 ? 1 : (b > 8 ? 8 : b)))
 
-set multiplot
-set lmargin at screen 0.02
-set rmargin at screen 0.98
-set tmargin at screen 0.995
-set bmargin at screen 0.943
-unset border
-unset tics
-set xrange [0:1]
-set yrange [0:1]
-set key center center vertical maxrows 3 Left reverse samplen 2 width -1 spacing 1.1 * letter font ',8'
-plot for [b = 1:8] NaN with boxes linewidth 0.5 dashtype solid fillstyle solid 1 border linecolor rgb '#000000' fillcolor rgb bin_colors[b] title bin_titles[b], \
+)gp";
+  gp += legend_style;
+  gp +=
+      R"gp(plot for [b = 1:8] NaN with boxes linewidth 0.5 dashtype solid fillstyle solid 1 border linecolor rgb '#000000' fillcolor rgb bin_colors[b] title bin_titles[b], \
      NaN with boxes linewidth 0.5 dashtype solid fillstyle pattern 2 border linecolor rgb '#000000' fillcolor rgb '#C8320A' title 'NaN or infinity'
 )gp";
   gp += panel_style;

@@ -32,16 +32,23 @@ constexpr std::array curves{Curve{"gauss", "lobe", "gauss, lobe", 1, 7},
                             Curve{"monte_carlo", "paper", "Monte Carlo, paper", 7, 2}};
 
 /// On paper, in centimetres.
-constexpr double width = 18, left = 1.45, gap = 0.25, panel_width = 3.9, panel_height = 3.5, head = 1.75, foot = 1.25,
-                 row_gap = 1.25;
+constexpr double width = 18, left = 2.3, gap = 0.4, panel_width = 3.55, panel_height = 3.6, head = 2, foot = 1.25,
+                 row_gap = 1.8;
 
 struct Quantity {
   const char *column, *label, *range, *tics;
 };
-constexpr std::array quantities{Quantity{"seconds", "time [s]", "[8e-7:0.3]",
+constexpr std::array quantities{Quantity{"seconds", "time [s]", "[3e-7:0.3]",
                                          "('1 µs' 1e-6, '' 1e-5 1, '100 µs' 1e-4, '' 1e-3 1, '10 ms' 1e-2, '' 1e-1 1)"},
-                                Quantity{"evaluations", "evaluations of the BRDF", "[8:3e6]",
+                                Quantity{"evaluations", "evaluations", "[8:3e6]",
                                          "('10' 1e1, '' 1e2 1, '10^3' 1e3, '' 1e4 1, '10^5' 1e5, '' 1e6 1)"}};
+
+/// Only the first panel of a row tells what its height means.
+constexpr const char* labelled_y =
+    "set ytics ('1' 1, '10^{−4}' 1e-4, '10^{−8}' 1e-8, '10^{−12}' 1e-12, "
+    "'' 1e-2 1, '' 1e-6 1, '' 1e-10 1, '' 1e-14 1)\n";
+constexpr const char* plain_y =
+    "unset ylabel\nset ytics ('' 1, '' 1e-4, '' 1e-8, '' 1e-12, '' 1e-2 1, '' 1e-6 1, '' 1e-10 1, '' 1e-14 1)\n";
 
 std::string text(double value) {
   std::ostringstream out;
@@ -92,12 +99,12 @@ set multiplot
 set lmargin at screen 0.02
 set rmargin at screen 0.98
 set tmargin at screen 1
-set bmargin at screen 1 - 1.1/height
+set bmargin at screen 1 - 1.35/height
 unset border
 unset tics
 set xrange [0:1]
 set yrange [0:1]
-set key center center vertical maxrows 2 Left reverse samplen 3.5 width -1 spacing 1.1*letter
+set key center center vertical maxrows 3 Left reverse samplen 2.5 spacing 1.1*letter
 plot )";
   for (const Curve& curve : curves) {
     gp += "NaN with linespoints linetype " + std::to_string(curve.line) + " pointtype " + std::to_string(curve.marker) +
@@ -108,7 +115,6 @@ plot )";
 set logscale xy
 set format x '10^{%T}'
 set yrange [3e-16:3]
-set ytics ('1' 1, '10^{−4}' 1e-4, '10^{−8}' 1e-8, '10^{−12}' 1e-12, '' 1e-2 1, '' 1e-6 1, '' 1e-10 1, '' 1e-14 1)
 set grid xtics ytics linetype -1 linecolor rgb '#DDDDDD' linewidth 0.4
 )";
   for (std::size_t row = 0; row < rows; ++row) {
@@ -117,15 +123,16 @@ set grid xtics ytics linetype -1 linecolor rgb '#DDDDDD' linewidth 0.4
     const double top = head + static_cast<double>(row) * (panel_height + row_gap);
     gp += "\n# " + material.label + ": error against " + quantity.label + "\nset tmargin at screen 1 - " + text(top) +
           "/height\nset bmargin at screen 1 - " + text(top + panel_height) + "/height\nset xrange " + quantity.range +
-          "\nset xtics " + quantity.tics + "\nset xlabel '" + quantity.label + "' offset 0, 1.1 - letter\n";
+          "\nset xtics " + quantity.tics + "\nset xlabel '" + quantity.label + "' offset 0, 0.6*letter\n";
     for (std::size_t column = 0; column < columns; ++column) {
       const double begin = left + static_cast<double>(column) * (panel_width + gap);
       gp += "set lmargin at screen " + text(begin) + "/width\nset rmargin at screen " + text(begin + panel_width) +
             "/width\n";
-      gp += column == 0 ? "set ylabel 'relative error' offset 1.2, 0\nset format y\n" : std::string("unset ylabel\n");
-      gp += "set label 1 '" + material.label + ", " + parameter_text(material) +
-            ", {/:Italic θ}_{/:Italic L} = " + text(study.request.thetas[column]) +
-            "°' at graph 0.98, graph 1.06 right\n";
+      gp += column == 0 ? "set ylabel \"" + material.label + ", " + parameter_text(material) +
+                              "\\nrelative error\" offset -0.3, 0\n" + labelled_y
+                        : plain_y;
+      gp += "set label 1 '{/:Italic θ}_{/:Italic L} = " + text(study.request.thetas[column]) +
+            "°' at graph 0, graph 1.07\n";
       gp += "chosen(rule, warp) = strcol('material') eq '" + material.label +
             "' && column('theta_deg') == " + text(study.request.thetas[column]) +
             " && strcol('rule') eq rule && strcol('warp') eq warp\n";

@@ -112,10 +112,15 @@ Command add_stability(CLI::App& program) {
                              "of the Monte Carlo rules, and of --honesty's cases")
       ->default_str(std::to_string(atlas.seed));
   add_integer(*app, "--threads", atlas.threads, 1, 1024, "default: one a core");
-  app->add_flag("--honesty", arguments->is_honesty,
-                "instead: reported against true errors over random models, parameters and directions");
+  CLI::Option* const honesty =
+      app->add_flag("--honesty", arguments->is_honesty,
+                    "instead: reported against true errors over random models, parameters and directions");
   add_integer<std::uint64_t>(*app, "--cases", arguments->honesty.cases, 1, largest_count, "of --honesty")
-      ->default_str(std::to_string(arguments->honesty.cases));
+      ->default_str(std::to_string(arguments->honesty.cases))
+      ->needs(honesty);
+  for (const char* const of_atlas : {"--precision", "--grid", "--anisotropy", "--tolerance", "--random-tolerance"}) {
+    app->get_option(of_atlas)->excludes(honesty);
+  }
   app->add_flag("--json", arguments->json, "print the summary as one JSON object");
   app->footer(
       "The atlas asks every method at incidences from 0 to 90 - 1e-10 degrees and roughnesses from 1e-5 to 5 "

@@ -19,9 +19,9 @@ constexpr int fitted_between = 2;      // samples in every gap between nodes of 
 constexpr std::size_t most_rational = 80;
 constexpr int fewest_nodes = 16;
 
-// Errors are measured at three or more points between neighbouring nodes, where they swing once or twice: twice what is
-// met covers swings that are met no closer than 60° from their crest.
-constexpr double unmeasured = 2;
+// Errors are measured at three or more points between neighbouring nodes, where they swing once or twice: 2.1 times
+// what is met covers swings that are met no closer than 61° from their crest.
+constexpr double unmeasured = 2.1;
 constexpr double measured_share = 0.45;                                   // of the tolerance
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of a look-up
 

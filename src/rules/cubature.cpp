@@ -16,6 +16,7 @@ struct Box {
   double u, v;            // centre
   double half_u, half_v;  // half widths
   double value = 0, error = 0, magnitude = 0;
+  double estimate = 0;  // of the error, by this box's points alone
   bool split_u = false;
   bool unseen_feature = false;  // holds a feature that is smaller than the box
 
@@ -60,8 +61,9 @@ class GenzMalik {
     const double area = 4 * box.half_u * box.half_v;
     box.value = area * (w1 * centre + w2 * (near_u + near_v) + w3 * (far_u + far_v) + w4 * cross + w5 * corners);
     const double fifth = area * (e1 * centre + e2 * (near_u + near_v) + e3 * (far_u + far_v) + e4 * cross);
-    box.error =
-        4 * std::abs(box.value - fifth);  // it is the difference of two rules, not yet asymptotic in a large box
+    // it is the difference of two rules, not yet asymptotic in a large box, and blind to layers between its points
+    const bool layered = integrand_.panels()[static_cast<std::size_t>(box.panel)].layered;
+    box.estimate = box.error = (layered ? 16 : 4) * std::abs(box.value - fifth);
     box.magnitude = 0;
     for (const double value : w) box.magnitude += std::abs(value) * area / points_per_box;
     const double ratio = near * near / (far * far);
@@ -121,15 +123,15 @@ std::vector<Strip> strips_of(const Integrand<double>& integrand) {
 constexpr double hidden_strip = 0.0257;
 
 /// What halving changed is the parent's true error, nearly. Where its estimate had foreseen it, a part of it is left to
-/// the halves; where it hadn't, all of it, and their own estimates are as much too small.
-void keep_honest(const Box& parent, Box& a, Box& b) {
-  constexpr double foreseen = 16;
+/// the halves (more where layers may hide between points); where it hadn't, all of it, and their own estimates are as
+/// much too small.
+void keep_honest(const Box& parent, Box& a, Box& b, bool layered) {
+  const double foreseen = layered ? 2 : 16;
   const double change = std::abs(a.value + b.value - parent.value);
-  const bool surprise = change > parent.error;
-  const double factor = surprise && parent.error > 0 ? change / parent.error : 1;
+  const bool surprise = change > parent.estimate;
+  const double factor = surprise && parent.estimate > 0 ? change / parent.estimate : 1;
   const double floor = surprise ? change / 2 : change / foreseen;
-  a.error = std::max(a.error * factor, floor);
-  b.error = std::max(b.error * factor, floor);
+  for (Box* half : {&a, &b}) half->error = std::max(half->error * factor, floor);
 }
 
 /// What an edge could have that lies between a box's outermost points and one of its borders: where the halves differ,
@@ -182,6 +184,9 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
       Box box{strip.panel, (0.5 + i % initial) / initial, strip.begin + (0.5 + i / initial) * height, 0.5 / initial,
               0.5 * height};
       rule.measure(box);
+      // two rules may agree by accident: what hasn't been halved once isn't believed beyond this
+      constexpr double unhalved = 1.0 / 32;
+      box.error = std::max(box.error, unhalved * box.magnitude);
       heap.push_back(box);
     }
     evaluations += initial * initial * points_per_box;
@@ -209,7 +214,7 @@ Estimate cubature(const Integrand<double>& integrand, const RuleOptions& options
     b.*centre += b.*half;
     rule.measure(a);
     rule.measure(b);
-    keep_honest(parent, a, b);
+    keep_honest(parent, a, b, panel_of(parent).layered);
     if (panel_of(parent).edged) keep_hidden(parent, a, b);
     evaluations += 2 * points_per_box;
     for (const Box& box : {a, b}) {

@@ -297,10 +297,15 @@ class ProductRule {
     const Nodes<S>& before = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions - 1);
     const Nodes<S>& after = nodes_of<S>(cell.v.kind, cell.v.order, cell.extensions);
     const S change = dot(before.weight.data(), cell.rows.data(), before.position.size()) * area - cell.value;
-    // two rules may agree by accident, but hardly on another moment too
-    const S other = area * (first_moment(before, cell.rows) - first_moment(after, cell.rows));
+    S size = change < 0 ? S(-change) : change;
+    // two rules may agree by accident, but hardly on other moments too
     constexpr int part = 8;
-    const S size = std::max<S>(change < 0 ? S(-change) : change, (other < 0 ? S(-other) : other) / part);
+    const std::size_t moment = static_cast<std::size_t>(
+        cell.v.kind == AxisKind::periodic ? std::max(1, before.terms / 8) * 2 - 1 : std::max(1, before.terms / 8));
+    for (const std::size_t k : {moment, moment + 1}) {
+      const S other = area * (coefficient(before, cell.rows, k) - coefficient(after, cell.rows, k)) / part;
+      size = std::max<S>(size, other < 0 ? S(-other) : other);
+    }
     constexpr int rough = 8;
     const Resolution<S>& now = cell.along_v;
     const int terms = after.terms;
@@ -311,12 +316,11 @@ class ProductRule {
     return size * S(std::clamp(std::exp((now.log_error(terms) - now.log_error(before.terms)) * believed), least, 1.0));
   }
 
-  /// The expansion's second coefficient.
-  static S first_moment(const Nodes<S>& nodes, const std::vector<S>& rows) {
+  static S coefficient(const Nodes<S>& nodes, const std::vector<S>& rows, std::size_t k) {
+    const auto terms = static_cast<std::size_t>(nodes.terms);
+    if (k >= terms) return S(0);
     S sum = 0;
-    for (std::size_t j = 0; j < nodes.position.size(); ++j) {
-      sum += nodes.transform[j * static_cast<std::size_t>(nodes.terms) + 1] * rows[j];
-    }
+    for (std::size_t j = 0; j < nodes.position.size(); ++j) sum += nodes.transform[j * terms + k] * rows[j];
     return sum;
   }
 

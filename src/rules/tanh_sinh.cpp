@@ -75,12 +75,12 @@ struct Sequence {
     if (known < 2) return std::numeric_limits<double>::infinity();
     const double now = std::abs(last[0] - last[1]);
     if (now <= noise * magnitude) return 0;  // counted as rounding, once for all
-    if (known < 3) return 8 * now;
+    if (known < 3) return 16 * now;
     constexpr double power = 1.5, part = 1e-3;
     const double before = std::abs(last[1] - last[2]), first = std::abs(last[2] - last[3]);
     const auto foreseen = [&](double change) { return magnitude * std::pow(change / magnitude, power); };
     const bool analytic = !edged && known == 4 && now <= foreseen(before) && before <= foreseen(first);
-    return analytic ? std::max(now, part * before) : 8 * now + before / 4;
+    return analytic ? 2 * std::max(now, part * before) : 16 * now + before / 2;
   }
 };
 

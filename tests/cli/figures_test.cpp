@@ -265,7 +265,7 @@ TEST_F(Figures, OfTheTradeoffShowWhatWasMeasured) {
                                  "# command: albedo-figures tradeoff-phong\n", "# material phong smooth: n=1000\n"}) {
     EXPECT_TRUE(contains(data, part)) << part;
   }
-  for (const char* const part : {"time [s]", "evaluations of the BRDF", "relative error", "set logscale xy"}) {
+  for (const char* const part : {"time [s]", "set xlabel 'evaluations'", "relative error", "set logscale xy"}) {
     EXPECT_TRUE(contains(script, part)) << part;
   }
   // every column that the script draws is one of the data's

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "albedo/directional_albedo.hpp"
 #include "albedo/microfacet/wave_series.hpp"
+#include "golden/entries.hpp"
 
 /// Values that share nothing with the library: closed forms and an independent quadrature. README.md says how they were
 /// made.
@@ -15,24 +14,6 @@ namespace albedo {
 namespace {
 
 using nlohmann::json;
-
-json read(const std::string& file) {
-  std::ifstream stream(std::string(ALBEDO_GOLDEN_DIR) + "/" + file);
-  EXPECT_TRUE(stream) << file;
-  return json::parse(stream);
-}
-
-Parameters parameters_of(const json& entry) {
-  Parameters parameters;
-  for (const auto& [name, value] : entry.at("parameters").items()) {
-    if (value.is_string()) {
-      parameters.emplace_back(name, value.get<std::string>());
-    } else {
-      parameters.emplace_back(name, value.get<double>());
-    }
-  }
-  return parameters;
-}
 
 std::string describe(const json& entry) {
   return entry.at("model").get<std::string>() + " " + entry.at("parameters").dump() + " at " +
@@ -95,7 +76,8 @@ TEST_P(Golden, OtherRulesAgree) {
         << describe(entry) << ": " << cubature.value << " for " << exact << ", error " << cubature.error;
     const Estimate stratified =
         directional_albedo(model, l, {.rule = Rule::stratified, .tolerance = 1e-2, .budget = 100'000, .seed = 5});
-    EXPECT_LE(std::abs(stratified.value - exact), 4 * stratified.error + uncertainty(entry, exact))
+    constexpr double widest = 6;  // standard errors: one of 16 replicates exceeds that in one of 40 000 cases
+    EXPECT_LE(std::abs(stratified.value - exact), widest * stratified.error + uncertainty(entry, exact))
         << describe(entry) << ": " << stratified.value << " for " << exact << ", error " << stratified.error;
   });
 }

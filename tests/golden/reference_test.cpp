@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "albedo/reference.hpp"
+#include "golden/entries.hpp"
 
 /// The 113-bit reference against closed forms of 30 digits: those at parameters and directions that a double holds
 /// exactly.
@@ -24,18 +23,6 @@ bool exact_parameters(const json& entry) {
   return true;
 }
 
-Parameters parameters_of(const json& entry) {
-  Parameters parameters;
-  for (const auto& [name, value] : entry.at("parameters").items()) {
-    if (value.is_string()) {
-      parameters.emplace_back(name, value.get<std::string>());
-    } else {
-      parameters.emplace_back(name, value.get<double>());
-    }
-  }
-  return parameters;
-}
-
 struct Closed {
   std::string model;
   int entries;
@@ -44,9 +31,8 @@ struct Closed {
 class GoldenReference : public ::testing::TestWithParam<Closed> {};
 
 TEST_P(GoldenReference, HasTwentyDigitsOfTheClosedForm) {
-  std::ifstream stream(std::string(ALBEDO_GOLDEN_DIR) + "/closed_forms.json");
   int checked = 0;
-  for (const json& entry : json::parse(stream)) {
+  for (const json& entry : read("closed_forms.json")) {
     const double theta = entry.at("theta_deg");
     if (entry.at("model") != GetParam().model || !exact_parameters(entry) || (theta != 0 && theta != 60)) continue;
     if (entry.at("parameters").value("n", 0.0) > 20) continue;  // takes long

@@ -36,8 +36,9 @@ struct Lobe {
   bool kink_equal_cosines = false;  ///< the formula has a max or min of N·L and N·V
   bool kink_v_cavity = false;       ///< the formula has the V-cavity geometry factor
   double horizon_exponent = 1;      ///< f cosθ_V ~ cosθ_V^p at the horizon
-  bool horizon_layer = false;       ///< the formula changes over cosθ_V ~ width near the horizon (Smith masking)
-  double facet_width = 0;           ///< near_mirror: the facets' part of width_x, and of the layer along the horizon
+  double growth = 1;  ///< beside its profile, the formula grows towards the lobe's end like r^(2 growth) at most
+  bool horizon_layer = false;  ///< the formula changes over cosθ_V ~ width near the horizon (Smith masking)
+  double facet_width = 0;      ///< near_mirror: the facets' part of width_x, and of the layer along the horizon
 };
 
 /// A lobe of half vectors whose slopes have the given profile and widths.

@@ -16,6 +16,12 @@ struct Fresnel {
   double eta = 0.2;
   double k = 3;
 
+  /// Of a lobe with this factor: where F vanishes at normal incidence, its fifth power of 1 − L·H is all there is.
+  [[nodiscard]] double growth() const {
+    constexpr double vanishing = 1e-3;
+    return (*this)(1.0) < vanishing ? 5 : 1;
+  }
+
   template <class T>
   T operator()(const T& cos_theta_d) const noexcept {
     switch (kind) {

@@ -30,7 +30,11 @@ struct AshikhminPremoze {
   }
 
   [[nodiscard]] Claims claims() const { return {.conserves_energy = m * std::numbers::inv_sqrtpi / 2 <= 1}; }
-  [[nodiscard]] std::vector<Lobe> lobes() const { return {slope_lobe(0, Profile::gaussian, m, m)}; }
+  [[nodiscard]] std::vector<Lobe> lobes() const {
+    Lobe lobe = slope_lobe(0, Profile::gaussian, m, m);
+    lobe.growth = fresnel.growth();
+    return {lobe};
+  }
 
   template <class T>
   T evaluate(int, const DirectionPair<T>& d) const noexcept {

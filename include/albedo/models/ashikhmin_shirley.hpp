@@ -47,6 +47,7 @@ struct AshikhminShirley {
     Lobe specular = power_lobe(0, n_u, n_v);
     specular.weight = k_s;
     specular.kink_equal_cosines = true;
+    specular.growth = Fresnel{.f0 = r_s}.growth();
     return {specular, {.component = 1, .weight = r_d * (1 - r_s)}, {.component = 2, .weight = k_d}};
   }
 

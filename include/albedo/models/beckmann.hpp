@@ -33,6 +33,7 @@ struct Beckmann {
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe lobe = slope_lobe(0, Profile::gaussian, alpha_x, alpha_y);
     lobe.horizon_layer = true;
+    lobe.growth = fresnel.growth();
     return {lobe};
   }
 

@@ -43,6 +43,7 @@ struct CookTorrance {
     Lobe specular = slope_lobe(0, Profile::gaussian, m, m);
     specular.weight = k_s;
     specular.kink_v_cavity = masking == Masking::v_cavity;
+    specular.growth = fresnel.growth();
     return {specular, {.component = 1, .weight = k_d}};
   }
 

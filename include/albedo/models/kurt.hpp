@@ -51,6 +51,7 @@ struct Kurt {
     Lobe specular = slope_lobe(0, Profile::gaussian, m_x, m_y);
     specular.weight = k_s;
     specular.kink_equal_cosines = equation == Equation::eq_9;
+    specular.growth = fresnel.growth();
     specular.horizon_exponent = equation == Equation::eq_9 ? 1 : 1 - exponent;
     return {specular, {.component = 1, .weight = k_d}};
   }

@@ -48,6 +48,7 @@ struct MicrofacetGenerator {
                     ? power_lobe(0, exponent(), exponent())
                     : slope_lobe(0, distribution == Distribution::ggx ? Profile::ggx : Profile::gaussian, alpha, alpha);
     lobe.horizon_layer = true;
+    lobe.growth = fresnel.growth();
     return {lobe};
   }
 

@@ -37,7 +37,7 @@ class HalfVectorWarp {
         l_(unit_vector<S>(l)),
         axis_(lobe_axis(lobe, l_)),
         turn_(make_turn(lobe, l)) {
-    const Cut cut = profile_ == Profile::ggx ? Cut{1e250, 0} : lobe_cut(tolerance);
+    const Cut cut = profile_ == Profile::ggx ? Cut{1e250, 0} : lobe_cut(tolerance, lobe.growth);
     cut_ = cut.radius;
     truncation_ = cut.truncation;
     widest_ = lobe.width_x > lobe.width_y ? S(alpha_x_) : S(alpha_y_);
@@ -278,10 +278,10 @@ class HalfVectorWarp {
         const auto place = [](int k) { return S(1 - square(square(S(steps - k) / steps))); };
         const S after = edge_margin(side * place(i + 1));
         if ((before > 0) != (after > 0)) {
-          std::uintmax_t most = 40;
+          std::uintmax_t most = 60;
           const auto border = boost::math::tools::toms748_solve([&](const S& f) { return edge_margin(side * f); },
                                                                 place(i), place(i + 1), before, after,
-                                                                boost::math::tools::eps_tolerance<S>(40), most);
+                                                                boost::math::tools::eps_tolerance<S>(52), most);
           borders.push_back((border.first + border.second) / 2);
         }
         before = after;
@@ -335,11 +335,13 @@ class HalfVectorWarp {
     const double nearest =
         static_cast<double>(1 / (sqrt(square(widest_) + square(tan_alpha_)) + tan_alpha_));  // bounds r_e and 1/r_e′
     const bool fractional = horizon_exponent_ != std::floor(horizon_exponent_);
-    const int power = 2 * horizon_exponent_ == std::floor(2 * horizon_exponent_) ? 2 : 3;
+    const bool half_integer = 2 * horizon_exponent_ == std::floor(2 * horizon_exponent_);
     for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
       EndMap ends;
-      if (fractional && edges[i + 1] == Edge::rim && nearest < static_cast<double>(cut_)) ends.right = power;
-      if (fractional && edges[i] == Edge::origin && nearest < 0.5) ends.left = power;
+      if (fractional && edges[i + 1] == Edge::rim && nearest < static_cast<double>(cut_)) {
+        ends.right = half_integer ? 2 : std::max(3.0, 3 / (horizon_exponent_ + 1));
+      }
+      if (fractional && edges[i] == Edge::origin && nearest < 0.5) ends.left = half_integer ? 2 : 3;
       if (horizon_layer_ && edges[i + 1] == Edge::rim) ends.right = 3;
       parts_.push_back({arc, edges[i], edges[i + 1], ends});
       const double extent = static_cast<double>(arc.end - arc.begin);
@@ -406,7 +408,7 @@ class HalfVectorWarp {
       nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.6 * grazing + (widest_ > 1.5 ? 28 : 0);
       if (alpha_x_ != alpha_y_) nodes *= 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
-      nodes = ends.right == 3 ? 31 : ends.left > 1 ? 26 : 21;
+      nodes = ends.right > 1 && ends.right != 2 ? 31 : ends.left > 1 ? 26 : 21;
     } else if (begin > 0) {
       nodes = edges[begin] == Edge::cavity_light ? 18 : edges[begin] == Edge::equal_cosines ? 13.5 : 11.5;
     } else if (edges.size() > 2) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "albedo/core/number.hpp"
@@ -7,15 +8,23 @@
 namespace albedo {
 
 /// A map of [0, 1] onto itself that behaves like u^left at 0 and like 1 − (1 − u)^right at 1: it makes an integrand
-/// with a fractional power at an end smooth (power 2 for a half-integer, 3 for any other). Powers are 1, 2 or 3.
+/// with a fractional power at an end smooth (power 2 for a half-integer, 3 or more for any other: p < 0 at the right
+/// end becomes the second power with 3/(p + 1)). Powers are 1 and 2 or 3, which are polynomials, or any.
 struct EndMap {
-  int left = 1, right = 1;
+  double left = 1, right = 1;
 
   /// g(u), 1 − g(u) without cancellation, and g′(u).
   template <class T>
   void at(const T& u, T& g, T& complement, T& slope) const {
     const T v = 1 - u;
-    if (left == 1 && right == 1) {
+    if (right != 1 && right != 2 && right != 3) {
+      const Scalar<T> first(right), second(left);
+      const T rest = exp(T(first * log(v)));
+      const T inner = -expm1(T(first * log1p(T(-u))));
+      g = left == 1 ? inner : T(exp(T(second * log(inner))));
+      complement = left == 1 ? rest : T(-expm1(T(second * log1p(T(-rest)))));
+      slope = first * second * (g / inner) * (rest / v);
+    } else if (left == 1 && right == 1) {
       g = u, complement = v, slope = T(1);
     } else if (left == 1) {
       const T last = right == 2 ? v : square(v);
@@ -42,13 +51,16 @@ struct EndMap {
 /// Where a lobe that falls off like exp(−r²) has ended.
 struct Cut {
   double radius;      ///< r
-  double truncation;  ///< bounds the rest, relative to the whole, for integrands that grow no faster than r²
+  double truncation;  ///< bounds the rest, relative to the whole
 };
 
-/// The end of a lobe for a relative tolerance; the rest is about a tenth of it.
-inline Cut lobe_cut(double tolerance) {
-  const double radius2 = 6.5 - std::log(tolerance);
-  return {std::sqrt(radius2), 2 * radius2 * std::exp(-radius2)};
+/// The end of a lobe for a relative tolerance; the rest is about a tenth of it. @param growth k of an integrand that
+/// grows towards the end like r^(2k): its rest is R^k exp(−R)/k! at r² = R
+inline Cut lobe_cut(double tolerance, double growth = 1) {
+  const double least = 6.5 - std::log(tolerance), factorial = std::lgamma(growth + 1);
+  double radius2 = least;
+  for (int i = 0; i < 10; ++i) radius2 = std::max(least, least + (growth - 1) * std::log(radius2) - factorial);
+  return {std::sqrt(radius2), 2 * std::exp(growth * std::log(radius2) - radius2 - factorial)};
 }
 
 /// asinh(x) for x ≥ 0, accurate near 0.
