@@ -45,7 +45,14 @@ albedo::ParameterValue value_in_channel(const ModelInfo& info, const std::string
   return std::get<Channels>(value)[channel];
 }
 
-std::unique_ptr<Model> make_row(const Material& material, std::size_t channel, const std::string& file) {
+}  // namespace
+
+std::vector<std::string> channels_of(const std::vector<Material>& materials) {
+  if (std::ranges::any_of(materials, is_rgb)) return {"R", "G", "B"};
+  return {"all"};
+}
+
+std::unique_ptr<Model> make_material(const Material& material, std::size_t channel, const std::string& file) {
   try {
     const ModelInfo& info = model_info(material.model);
     Parameters parameters;
@@ -58,6 +65,8 @@ std::unique_ptr<Model> make_row(const Material& material, std::size_t channel, c
     throw FormatError("'" + file + "', line " + std::to_string(material.line) + ": " + error.what());
   }
 }
+
+namespace {
 
 Direction direction_at(const std::string& axis, double place, double phi) {
   return axis == "theta" ? Direction::from_degrees(place, phi) : Direction::from_cosine(place, phi);
@@ -91,12 +100,11 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t wanted) {
 }  // namespace
 
 MaterialTable::MaterialTable(const std::vector<Material>& materials, const std::string& file) {
-  Axis names{.name = "material"}, channels{.name = "channel", .labels = {"all"}};
-  if (std::ranges::any_of(materials, is_rgb)) channels.labels = {"R", "G", "B"};
+  Axis names{.name = "material"}, channels{.name = "channel", .labels = channels_of(materials)};
   for (const Material& material : materials) {
     names.labels.push_back(material.name);
     for (std::size_t channel = 0; channel < channels.size(); ++channel)
-      rows_.push_back(make_row(material, channel, file));
+      rows_.push_back(make_material(material, channel, file));
   }
   label_axes_ = {std::move(names), std::move(channels)};
 }

@@ -14,7 +14,13 @@
 
 namespace albedo::analysis {
 
-/// material × channel × direction. The channels are R, G and B or, if no parameter of any material is an array, "all".
+/// R, G and B or, if no parameter of any material is an array, "all".
+std::vector<std::string> channels_of(const std::vector<Material>& materials);
+
+/// A material in one of the channels. @throws FormatError naming `file` and the line of the material
+std::unique_ptr<Model> make_material(const Material& material, std::size_t channel, const std::string& file);
+
+/// material × channel × direction.
 class MaterialTable {
  public:
   /// @throws FormatError naming `file` and the line of a material whose model or parameters are wrong

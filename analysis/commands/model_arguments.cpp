@@ -7,6 +7,7 @@
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/checks.hpp"
+#include "analysis/commands/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -99,6 +100,20 @@ std::unique_ptr<Model> ModelArguments::make(const std::string& channel) const {
   return std::make_unique<SumModel>(std::move(parts));
 }
 
+std::vector<ModelArguments> split_models(const std::vector<std::string>& words) {
+  std::vector<ModelArguments> models;
+  for (const std::string& word : words) {
+    if (word.find('=') == std::string::npos) {
+      models.push_back({word, {}});
+    } else if (models.empty()) {
+      throw ParameterError("'" + word + "' comes before any MODEL");
+    } else {
+      models.back().parameters.push_back(word);
+    }
+  }
+  return models;
+}
+
 void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels) {
   if (channels.size() == 1) return;
   check_answerable(
@@ -141,6 +156,16 @@ nlohmann::ordered_json model_json(const Model& model, bool several_channels) {
     });
   }
   return {{"model", model.info().name}, {"parameters", parameters_json(parameters)}};
+}
+
+std::string parameters_text(const Parameters& parameters, int digits) {
+  std::string text;
+  for (const auto& [name, value] : parameters) {
+    text.append(text.empty() ? "" : " ").append(name).append("=");
+    text += std::holds_alternative<double>(value) ? number_text(std::get<double>(value), digits)
+                                                  : std::get<std::string>(value);
+  }
+  return text;
 }
 
 nlohmann::ordered_json parameters_json(const Parameters& parameters) {

@@ -32,6 +32,9 @@ struct ModelArguments {
   [[nodiscard]] std::unique_ptr<Model> make(const std::string& channel = "") const;
 };
 
+/// MODEL [PARAM=VALUE]... several times: a word without '=' begins a model. @throws ParameterError
+std::vector<ModelArguments> split_models(const std::vector<std::string>& words);
+
 /// @throws ParameterError for an --assert of at(...) where there are several channels
 void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels);
 
@@ -46,6 +49,9 @@ void check_set_once(const ModelInfo& model, const std::vector<std::string>& name
 
 /// {"model": "ward", "parameters": {...}}; without the channel where there are several.
 nlohmann::ordered_json model_json(const Model& model, bool several_channels);
+
+/// alpha_x=0.1 masking=none, numbers with so many digits
+std::string parameters_text(const Parameters& parameters, int digits = 17);
 
 /// {"alpha_x": 0.1, "masking": "none"}
 nlohmann::ordered_json parameters_json(const Parameters& parameters);

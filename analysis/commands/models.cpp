@@ -25,7 +25,15 @@ std::string claims_text(const ModelInfo& info) {
   if (claims.conserves_energy) words.emplace_back("energy-conserving");
   if (claims.bounded) words.emplace_back("bounded");
   if (claims.isotropic) words.emplace_back("isotropic");
+  if (claims.distribution == Measure::solid_angle) words.emplace_back("∫D = 1");
+  if (claims.distribution == Measure::projected) words.emplace_back("∫D cosθ_h = 1");
+  if (claims.consistent_masking) words.emplace_back("∫G₁D(L·H)₊ = N·L");
   return words.empty() ? "nothing" : joined(words, ", ");
+}
+
+std::string name_of(Measure measure) {
+  if (measure == Measure::none) return "none";
+  return measure == Measure::solid_angle ? "solid_angle" : "projected";
 }
 
 std::string default_text(const ParameterInfo& parameter) {
@@ -90,7 +98,9 @@ Json model_json(const ModelInfo& info) {
   object["claims"] = {{"reciprocal", claims.reciprocal},
                       {"conserves_energy", claims.conserves_energy},
                       {"bounded", claims.bounded},
-                      {"isotropic", claims.isotropic}};
+                      {"isotropic", claims.isotropic},
+                      {"distribution", name_of(claims.distribution)},
+                      {"consistent_masking", claims.consistent_masking}};
   return object;
 }
 

@@ -30,16 +30,7 @@ struct Arguments {
 
 /// A model with parameters is one material; without, its usual two. Without any, the models of the default set.
 std::vector<Material> materials_of(const std::vector<std::string>& words) {
-  std::vector<ModelArguments> given;
-  for (const std::string& word : words) {
-    if (word.find('=') == std::string::npos) {
-      given.push_back({word, {}});
-    } else if (given.empty()) {
-      throw ParameterError("'" + word + "' comes before any MODEL");
-    } else {
-      given.back().parameters.push_back(word);
-    }
-  }
+  const std::vector<ModelArguments> given = split_models(words);
   std::vector<Material> materials;
   const auto add_usual = [&](const std::string& model) {
     for (Material& material : usual_materials(model)) materials.push_back(std::move(material));

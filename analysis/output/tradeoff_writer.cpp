@@ -17,15 +17,6 @@ std::string text_of(const Quad& value) {
   return value.str(digits, std::ios_base::scientific);
 }
 
-std::string parameters_text(const Parameters& parameters) {
-  std::string text;
-  for (const auto& [name, value] : parameters) {
-    text.append(text.empty() ? "" : " ").append(name).append("=");
-    text += std::holds_alternative<double>(value) ? number_text(std::get<double>(value)) : std::get<std::string>(value);
-  }
-  return text;
-}
-
 }  // namespace
 
 Json describe(const TradeoffRequest& request) {

@@ -4,12 +4,14 @@
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V of reflectance models, with errors that can be believed.
 /// Start at albedo::make_model and albedo::directional_albedo; albedo::AlbedoCurve and albedo::AlbedoTable tabulate.
 
+#include "albedo/audit.hpp"
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "albedo/core/estimate.hpp"
 #include "albedo/core/model.hpp"
 #include "albedo/curve.hpp"
 #include "albedo/directional_albedo.hpp"
+#include "albedo/grazing.hpp"
 #include "albedo/reference.hpp"
 #include "albedo/table.hpp"
 #include "albedo/version.hpp"

@@ -74,6 +74,12 @@ Sampled<Quad> Model::sample(int, const UnitVector<Quad>&, const Quad&, const Qua
 double Model::density(int, const UnitVector<double>&, const UnitVector<double>&) const noexcept {
   return std::numeric_limits<double>::quiet_NaN();
 }
+double Model::facet_distribution(const DirectionPair<double>&) const noexcept {
+  return std::numeric_limits<double>::quiet_NaN();
+}
+double Model::facet_masking(const DirectionPair<double>&) const noexcept {
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 template double brdf<double>(const Model&, const Direction&, const Direction&);
 template float brdf<float>(const Model&, const Direction&, const Direction&);

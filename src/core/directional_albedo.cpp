@@ -67,42 +67,57 @@ Estimate integrate(const Model& model, const Direction& l, AlbedoOptions options
   return believed(applied(options.rule, *integrand, rule), *integrand);
 }
 
-/// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
-/// limit. Where it changes as in a logarithm (He–Torrance: towards 0), how far is not known.
-Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions options) {
-  constexpr double farther = 1e-10, far = 1e-12, near = 1e-14;
-  const double tolerance = options.tolerance;
-  options.tolerance = std::max(tolerance / 4, 1e-30);  // two of them, and the way to the limit
-  const auto at = [&](double cosine) {
-    Direction toward = l;
-    toward.sin_theta = 1;
-    toward.cos_theta = cosine;
-    return integrate(model, toward, options);
-  };
-  const Estimate before = at(far);
-  Estimate limit = at(near);
+/// What three albedos on the way to grazing incidence, each a hundredth of the cosine before, tell of the limit.
+Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate limit, double tolerance) {
   const double change = std::abs(limit.value - before.value);
-  limit.evaluations += before.evaluations;
-  if (limit.status == Status::non_finite || before.status == Status::non_finite) return limit;
-  const double growth = std::log(limit.value / before.value) / std::log(far / near);
+  limit.evaluations += before.evaluations + earlier.evaluations;
+  for (const Estimate* one : {&earlier, &before}) {
+    if (one->status == Status::non_finite) limit.status = one->status;
+  }
+  if (limit.status == Status::non_finite) return limit;
+  constexpr double decades = 100;
+  const double growth = std::log(limit.value / before.value) / std::log(decades);
+  const double growth_before = std::log(before.value / earlier.value) / std::log(decades);
   constexpr double no_growth = 1e-3;  // per factor e of cosθ_L; a limit's own rate is far below at these cosines
   if (growth > no_growth && change > 4 * (limit.error + before.error)) {
     limit.value = limit.error = std::numeric_limits<double>::infinity();
     limit.status = Status::divergent;
     return limit;
   }
-  limit.error += change;
-  limit.error_kind = ErrorKind::extrapolated;
-  if (limit.error > tolerance * std::abs(limit.value)) {
-    const Estimate earlier = at(farther);
-    limit.evaluations += earlier.evaluations;
-    const bool as_logarithm = 2 * change > std::abs(before.value - earlier.value);
-    if (as_logarithm && change > 4 * (limit.error - change + before.error)) limit.error += std::abs(limit.value);
+  constexpr double vanishing = -0.1, same = 0.01;
+  if (growth < vanishing && std::abs(growth - growth_before) < same) {
+    return {0, 0, ErrorKind::extrapolated, limit.evaluations};
   }
+  const bool as_logarithm =
+      2 * change > std::abs(before.value - earlier.value) && change > 4 * (limit.error + before.error);
+  limit.error += change + (as_logarithm ? std::abs(limit.value) : 0);
+  limit.error_kind = ErrorKind::extrapolated;
   if (limit.status == Status::converged && limit.error > tolerance * std::abs(limit.value)) {
     limit.status = Status::budget_exhausted;
   }
   return limit;
+}
+
+/// The limit cosθ_L → 0: the albedo there is a constant times a power of cosθ_L, and the power tells whether it has a
+/// limit, which is 0 where it falls as a power of its own. Where it changes as in a logarithm (He–Torrance: towards 0),
+/// how far is not known.
+Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions options) {
+  const double tolerance = options.tolerance;
+  options.tolerance = std::max(tolerance / 4, 1e-30);  // two of them, and the way to the limit
+  const auto limit_from = [&](double cosine) {
+    const auto at = [&](double factor) {
+      Direction toward = l;
+      toward.sin_theta = 1;
+      toward.cos_theta = cosine * factor;
+      return integrate(model, toward, options);
+    };
+    return extrapolated(at(1), at(1e-2), at(1e-4), tolerance);
+  };
+  const Estimate limit = limit_from(1e-10);
+  if (limit.status == Status::converged || limit.status == Status::non_finite) return limit;
+  Estimate farther = limit_from(1e-36);  // a roughness of 1e-12 has its layers where the first were
+  farther.evaluations += limit.evaluations;
+  return farther;
 }
 
 /// Adds the delta's share, known to rounding.

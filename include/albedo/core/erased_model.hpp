@@ -13,6 +13,18 @@ concept Samplable = requires(const M& model, const UnitVector<double>& l, double
   { model.density(0, l, l) } -> std::same_as<double>;
 };
 
+/// A model struct with a distribution of half vectors.
+template <class M>
+concept HasDistribution = requires(const M& model, const DirectionPair<double>& d) {
+  { model.facet_distribution(d) } -> std::same_as<double>;
+};
+
+/// A model struct with a masking function of its facets.
+template <class M>
+concept HasMasking = requires(const M& model, const DirectionPair<double>& d) {
+  { model.facet_masking(d) } -> std::same_as<double>;
+};
+
 /// A model struct behind the Model interface.
 template <class M>
 class ErasedModel final : public Model {
@@ -83,6 +95,23 @@ class ErasedModel final : public Model {
       return model_.density(component, l, v);
     } else {
       return Model::density(component, l, v);
+    }
+  }
+
+  [[nodiscard]] bool has_facet_distribution() const noexcept override { return HasDistribution<M>; }
+  [[nodiscard]] bool has_facet_masking() const noexcept override { return HasMasking<M>; }
+  [[nodiscard]] double facet_distribution(const DirectionPair<double>& pair) const noexcept override {
+    if constexpr (HasDistribution<M>) {
+      return model_.facet_distribution(pair);
+    } else {
+      return Model::facet_distribution(pair);
+    }
+  }
+  [[nodiscard]] double facet_masking(const DirectionPair<double>& pair) const noexcept override {
+    if constexpr (HasMasking<M>) {
+      return model_.facet_masking(pair);
+    } else {
+      return Model::facet_masking(pair);
     }
   }
 

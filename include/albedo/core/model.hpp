@@ -41,12 +41,21 @@ struct Shorthand {
   std::vector<std::string> parameters;
 };
 
+/// In which measure a distribution of half vectors integrates to 1.
+enum class Measure {
+  none,
+  solid_angle,  ///< ∫ D dω_H = 1: a density of half vectors
+  projected,    ///< ∫ D N·H dω_H = 1: facets of a height field
+};
+
 /// What a model promises for given parameters; tests and the audit hold it to that.
 struct Claims {
   bool reciprocal = true;
   bool conserves_energy = true;  ///< a(L) ≤ 1 for every L
   bool bounded = true;           ///< a(L) stays finite at grazing incidence
   bool isotropic = true;
+  Measure distribution = Measure::none;  ///< in which its distribution is normalised
+  bool consistent_masking = false;  ///< visible facets fill what is seen of the surface: ∫ G₁ D (L·H)₊ = N·L
 };
 
 /// A model's name, source and parameters.
@@ -111,6 +120,14 @@ class Model {
   /// The density [1/sr] with which that sampler draws V; ∫ density dω_V = 1 over the whole sphere.
   [[nodiscard]] virtual double density(int component, const UnitVector<double>& l,
                                        const UnitVector<double>& v) const noexcept;
+
+  /// Whether the model is made of facets; what it hasn't is answered with NaN.
+  [[nodiscard]] virtual bool has_facet_distribution() const noexcept { return false; }
+  [[nodiscard]] virtual bool has_facet_masking() const noexcept { return false; }
+  /// D(H) [1/sr] of half vectors above the surface.
+  [[nodiscard]] virtual double facet_distribution(const DirectionPair<double>& pair) const noexcept;
+  /// The part G₁(L,H) of facets facing L (L·H > 0) that L sees.
+  [[nodiscard]] virtual double facet_masking(const DirectionPair<double>& pair) const noexcept;
 
  protected:
   Model() = default;

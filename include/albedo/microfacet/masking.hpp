@@ -11,6 +11,12 @@ T v_cavity(const DirectionPair<T>& d) {
   return min(T(1), T(2 * d.cos_theta_h * min(d.cos_theta_l, d.cos_theta_v) / d.cos_theta_d));
 }
 
+/// The share of V-cavities' facets that L sees, G₁ = min(1, 2 (N·H)(N·L)/(L·H)), of which v_cavity() is the smaller one
+template <class T>
+T v_cavity_masking(const DirectionPair<T>& d) {
+  return min(T(1), T(2 * d.cos_theta_h * d.cos_theta_l / d.cos_theta_d));
+}
+
 /// √(z² + (α_x x)² + (α_y y)²), the length of a direction stretched by GGX's roughness: Λ = (stretched/z − 1)/2 [Heitz
 /// 2014, eqs. 72, 86]
 template <class T>
@@ -32,6 +38,12 @@ T ggx_visibility(const DirectionPair<T>& d, double alpha_x, double alpha_y, Smit
   return 1 / ((d.cos_theta_l + s_l) * (d.cos_theta_v + s_v));
 }
 
+/// GGX's G₁(L) = 1/(1 + Λ(L)) = 2 N·L/(N·L + s_L)   [Heitz 2014, eqs. 43, 72]
+template <class T>
+T ggx_masking(const DirectionPair<T>& d, double alpha_x, double alpha_y) {
+  return 2 * d.cos_theta_l / (d.cos_theta_l + stretched_length(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y));
+}
+
 /// z Λ for Beckmann's slopes, Λ = (erf(a) − 1)/2 + e^(−a²)/(2a√π) with a = z/s, s = √((α_x x)² + (α_y y)²) [Heitz 2014,
 /// eqs. 66, 80]; written as s e^(−a²) (1/√π − a e^(a²) erfc(a))/2, which needs no division by a cosine and no
 /// difference of error functions.
@@ -40,6 +52,12 @@ T beckmann_shadow(const T& x, const T& y, const T& z, double alpha_x, double alp
   const T s = sqrt(square(T(T(alpha_x) * x)) + square(T(T(alpha_y) * y)));
   const T a = min(T(z / s), T(12.0));  // beyond, z Λ < 1e-60 z
   return s * exp(-square(a)) * (1 / sqrt(pi<T>) - a * scaled_erfc(a)) / 2;
+}
+
+/// Beckmann's G₁(L) = 1/(1 + Λ(L))   [Heitz 2014, eqs. 43, 66]
+template <class T>
+T beckmann_masking(const DirectionPair<T>& d, double alpha_x, double alpha_y) {
+  return d.cos_theta_l / (d.cos_theta_l + beckmann_shadow(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y));
 }
 
 /// Beckmann's Smith masking over its denominator, G₂(L,V)/(4 N·L N·V), without dividing by a cosine: with e = z Λ,

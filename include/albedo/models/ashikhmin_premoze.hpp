@@ -29,11 +29,18 @@ struct AshikhminPremoze {
     return with_fresnel<M>({number<M, &M::m>("m", roughness_range, "root mean square slope × √2")});
   }
 
-  [[nodiscard]] Claims claims() const { return {.conserves_energy = m * std::numbers::inv_sqrtpi / 2 <= 1}; }
+  [[nodiscard]] Claims claims() const {
+    return {.conserves_energy = m * std::numbers::inv_sqrtpi / 2 <= 1, .distribution = Measure::projected};
+  }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe lobe = slope_lobe(0, Profile::gaussian, m, m);
     lobe.growth = fresnel.growth();
     return {lobe};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return albedo::beckmann(d, m, m);
   }
 
   template <class T>

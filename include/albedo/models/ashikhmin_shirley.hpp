@@ -42,7 +42,11 @@ struct AshikhminShirley {
                                          "of the distribution: (n+1), a density; or (n+2), a height field's")};
   }
 
-  [[nodiscard]] Claims claims() const { return {.conserves_energy = k_s <= 1 && k_d == 0, .isotropic = n_u == n_v}; }
+  [[nodiscard]] Claims claims() const {
+    return {.conserves_energy = k_s <= 1 && k_d == 0,
+            .isotropic = n_u == n_v,
+            .distribution = normalization == Normalization::paper ? Measure::solid_angle : Measure::projected};
+  }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe specular = power_lobe(0, n_u, n_v);
     specular.weight = k_s;
@@ -57,17 +61,23 @@ struct AshikhminShirley {
     return component == 1 ? diffuse(d) : T(T(k_d) / pi<T>);
   }
 
-  /// Eq. 15. The exponent is written with slopes, e ln(N·H) = −(n_u x² + n_v y²) ln(1 + t²)/2t², so that H = N is not
-  /// 0/0.
+  /// Eq. 15
   template <class T>
   T specular(const DirectionPair<T>& d) const noexcept {
+    const Fresnel fresnel{.f0 = r_s};
+    return T(k_s) * facet_distribution(d) * fresnel(d.cos_theta_d) /
+           (4 * d.cos_theta_d * max(d.cos_theta_l, d.cos_theta_v));
+  }
+
+  /// Eq. 5, with n + 1 or n + 2. The exponent is written with slopes, e ln(N·H) = −(n_u x² + n_v y²) ln(1 + t²)/2t²,
+  /// so that H = N is not 0/0.
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
     const T tan2 = max(tan2_theta_h(d), T(1e-30));
     const T exponent = (T(n_u) * square(d.slope_x) + T(n_v) * square(d.slope_y)) / tan2;
-    const T lobe = exp(-exponent * log1p(tan2) / 2);
-    const Fresnel fresnel{.f0 = r_s};
     const Scalar<T> add = normalization == Normalization::paper ? 1 : 2;
-    const Scalar<T> scale = Scalar<T>(k_s) * sqrt(Scalar<T>((Scalar<T>(n_u) + add) * (Scalar<T>(n_v) + add)));
-    return T(scale) / (8 * pi<T>)*lobe * fresnel(d.cos_theta_d) / (d.cos_theta_d * max(d.cos_theta_l, d.cos_theta_v));
+    const Scalar<T> scale = sqrt(Scalar<T>((Scalar<T>(n_u) + add) * (Scalar<T>(n_v) + add)));
+    return T(scale) / (2 * pi<T>)*exp(-exponent * log1p(tan2) / 2);
   }
 
   /// Eq. 13 (its constant: eq. 14).

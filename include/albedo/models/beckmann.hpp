@@ -29,12 +29,23 @@ struct Beckmann {
          choice<M, &M::masking>("masking", {"correlated", "separable"}, "Smith masking–shadowing G₂")});
   }
 
-  [[nodiscard]] Claims claims() const { return {.isotropic = alpha_x == alpha_y}; }
+  [[nodiscard]] Claims claims() const {
+    return {.isotropic = alpha_x == alpha_y, .distribution = Measure::projected, .consistent_masking = true};
+  }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe lobe = slope_lobe(0, Profile::gaussian, alpha_x, alpha_y);
     lobe.horizon_layer = true;
     lobe.growth = fresnel.growth();
     return {lobe};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return albedo::beckmann(d, alpha_x, alpha_y);
+  }
+  template <class T>
+  T facet_masking(const DirectionPair<T>& d) const noexcept {
+    return beckmann_masking(d, alpha_x, alpha_y);
   }
 
   template <class T>

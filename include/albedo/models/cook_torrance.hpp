@@ -37,7 +37,10 @@ struct CookTorrance {
 
   [[nodiscard]] Claims claims() const {
     const bool masked = masking == Masking::v_cavity;
-    return {.conserves_energy = masked && k_s + k_d <= 1, .bounded = masked};
+    return {.conserves_energy = masked && k_s + k_d <= 1,
+            .bounded = masked,
+            .distribution = Measure::projected,
+            .consistent_masking = masked};
   }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe specular = slope_lobe(0, Profile::gaussian, m, m);
@@ -45,6 +48,16 @@ struct CookTorrance {
     specular.kink_v_cavity = masking == Masking::v_cavity;
     specular.growth = fresnel.growth();
     return {specular, {.component = 1, .weight = k_d}};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return albedo::beckmann(d, m, m);
+  }
+  /// G₁ of V-cavities, or 1.
+  template <class T>
+  T facet_masking(const DirectionPair<T>& d) const noexcept {
+    return masking == Masking::v_cavity ? v_cavity_masking(d) : T(1);
   }
 
   template <class T>

@@ -30,11 +30,22 @@ struct Ggx {
          choice<M, &M::masking>("masking", {"correlated", "separable"}, "Smith masking–shadowing G₂")});
   }
 
-  [[nodiscard]] Claims claims() const { return {.isotropic = alpha_x == alpha_y}; }
+  [[nodiscard]] Claims claims() const {
+    return {.isotropic = alpha_x == alpha_y, .distribution = Measure::projected, .consistent_masking = true};
+  }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe lobe = slope_lobe(0, Profile::ggx, alpha_x, alpha_y);
     lobe.horizon_layer = true;
     return {lobe};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return ggx_distribution(d, alpha_x, alpha_y);
+  }
+  template <class T>
+  T facet_masking(const DirectionPair<T>& d) const noexcept {
+    return ggx_masking(d, alpha_x, alpha_y);
   }
 
   template <class T>

@@ -69,7 +69,7 @@ struct HeTorrance {
   T evaluate(int component, const DirectionPair<T>& d) const noexcept {
     if (component == 1) return T(k_d) / pi<T>;
     const Side<T> light = side(d.l_x, d.l_y, d.cos_theta_l), viewer = side(d.v_x, d.v_y, d.cos_theta_v);
-    const T shrink = 1 + lambert_w(T(min(T(huge), T(square(T(light.k + viewer.k)) / (8 * pi<T>)))));  // (σ₀/σ)²
+    const T shrink = 1 + lambert_w(T(min(T(huge<T>), T(square(T(light.k + viewer.k)) / (8 * pi<T>)))));  // (σ₀/σ)²
     const T g = square(T(T(4 * sigma0 / wavelength) * pi<T> * d.cos_theta_d * d.cos_theta_h)) / shrink;
     const T ratio = shrink * tan2_theta_h(d) / square(T(roughness()));  // b/g
     return T(k_s) * fresnel(d.cos_theta_d) * pi<T> * square(T(T(tau / wavelength) * d.cos_theta_d / d.cos_theta_h)) *
@@ -83,13 +83,15 @@ struct HeTorrance {
     polar_angle(l, cosine, sine);
     if (cosine == 0) return 0;  // S₁
     const Side<Quad> there = side(sine, Quad(0), cosine);
-    const Quad shrink = 1 + lambert_w(min(Quad(huge), Quad(square(there.k) / (2 * pi<Quad>))));
+    const Quad shrink = 1 + lambert_w(min(Quad(huge<Quad>), Quad(square(there.k) / (2 * pi<Quad>))));
     const Quad g = square(Quad(4 * pi<Quad> * sigma0 / wavelength * cosine)) / shrink;
     return k_s * fresnel(cosine) * exp(Quad(-g)) * square(Quad(cosine * there.visibility));
   }
 
  private:
-  static constexpr double huge = 1e37;
+  /// K² overflows where a cosine is below 1e-19 in float, 1e-154 in double.
+  template <class T>
+  static constexpr double huge = std::is_same_v<Scalar<T>, float> ? 1e37 : 1e300;
 
   /// α = 2σ₀/τ, the root mean square slope × √2.
   [[nodiscard]] double roughness() const { return 2 * sigma0 / tau; }

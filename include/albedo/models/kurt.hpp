@@ -44,8 +44,10 @@ struct Kurt {
   [[nodiscard]] Claims claims() const {
     constexpr double widest = 1.88;  // the limit of eq. 9 at grazing incidence passes 1 at m = 1.8811
     const bool conserves = equation == Equation::eq_9 && k_s + k_d <= 1 && std::max(m_x, m_y) <= widest;
-    return {
-        .conserves_energy = conserves, .bounded = equation == Equation::eq_9 || exponent == 0, .isotropic = m_x == m_y};
+    return {.conserves_energy = conserves,
+            .bounded = equation == Equation::eq_9 || exponent == 0,
+            .isotropic = m_x == m_y,
+            .distribution = Measure::projected};
   }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe specular = slope_lobe(0, Profile::gaussian, m_x, m_y);
@@ -54,6 +56,11 @@ struct Kurt {
     specular.growth = fresnel.growth();
     specular.horizon_exponent = equation == Equation::eq_9 ? 1 : 1 - exponent;
     return {specular, {.component = 1, .weight = k_d}};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return albedo::beckmann(d, m_x, m_y);
   }
 
   template <class T>

@@ -42,7 +42,7 @@ struct MicrofacetGenerator {
     return with_fresnel<M>(std::move(own));
   }
 
-  [[nodiscard]] Claims claims() const { return {}; }
+  [[nodiscard]] Claims claims() const { return {.distribution = Measure::projected, .consistent_masking = true}; }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe lobe = distribution == Distribution::power
                     ? power_lobe(0, exponent(), exponent())
@@ -54,7 +54,7 @@ struct MicrofacetGenerator {
 
   template <class T>
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
-    return fresnel(d.cos_theta_d) * density(d) /
+    return fresnel(d.cos_theta_d) * facet_distribution(d) /
            (4 * area(d.l_x, d.l_y, d.cos_theta_l) * area(d.v_x, d.v_y, d.cos_theta_v));
   }
 
@@ -65,7 +65,7 @@ struct MicrofacetGenerator {
 
   /// D(H)
   template <class T>
-  T density(const DirectionPair<T>& d) const noexcept {
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
     switch (distribution) {
       case Distribution::ggx:
         return ggx_distribution(d, alpha, alpha);
@@ -75,6 +75,12 @@ struct MicrofacetGenerator {
         break;
     }
     return T(exponent() + 2) / (2 * pi<T>)*cos_theta_h_power(d, exponent());
+  }
+
+  /// G₁ = N·L/A(L)
+  template <class T>
+  T facet_masking(const DirectionPair<T>& d) const noexcept {
+    return d.cos_theta_l / area(d.l_x, d.l_y, d.cos_theta_l);
   }
 
   /// A(K) of a direction (x, y, z).

@@ -38,7 +38,9 @@ struct Schlick {
 
   /// a(L) passes 1 at grazing incidence below r = 0.1695 for p = 1, and below r = 0.2010 for p = 0.3, the worst.
   [[nodiscard]] Claims claims() const {
-    return {.conserves_energy = r >= (p == 1 ? 0.17 : 0.202), .isotropic = p == 1};
+    return {.conserves_energy = r >= (p == 1 ? 0.17 : 0.202),
+            .isotropic = p == 1,
+            .distribution = p == 1 ? Measure::projected : Measure::none};
   }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     const double alpha = std::sqrt(r), stretch = std::sqrt(p);
@@ -52,12 +54,23 @@ struct Schlick {
   template <class T>
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     const Fresnel fresnel{.f0 = f0};
+    return fresnel(d.cos_theta_d) * facet_distribution(d) /
+           (4 * obstruction(d.cos_theta_l) * obstruction(d.cos_theta_v));
+  }
+
+  /// Z A/π
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
     const T tan2 = tan2_theta_h(d);
     const T z = T(r) / square(T(square(d.cos_theta_h) * (T(r) + tan2)));
     // A with w² = slope_x²/tan²θ_H; at H = N, where the azimuth has no value, that of w = 1
     const T tiny = T(1e-30);
     const T a = sqrt(T(p) * max(tan2, tiny) / max(T(square(d.slope_x) + square(T(T(p) * d.slope_y))), tiny));
-    return fresnel(d.cos_theta_d) * z * a / (4 * pi<T> * obstruction(d.cos_theta_l) * obstruction(d.cos_theta_v));
+    return z * a / pi<T>;
+  }
+  template <class T>
+  T facet_masking(const DirectionPair<T>& d) const noexcept {
+    return d.cos_theta_l / obstruction(d.cos_theta_l);
   }
 
   /// c/G(c)

@@ -27,13 +27,21 @@ struct Ward {
   }
 
   [[nodiscard]] Claims claims() const {
-    return {.conserves_energy = rho_s == 0, .bounded = rho_s == 0, .isotropic = alpha_x == alpha_y};
+    return {.conserves_energy = rho_s == 0,
+            .bounded = rho_s == 0,
+            .isotropic = alpha_x == alpha_y,
+            .distribution = Measure::projected};
   }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe specular = slope_lobe(0, Profile::gaussian, alpha_x, alpha_y);
     specular.weight = rho_s;
     specular.horizon_exponent = 0.5;
     return {specular, {.component = 1, .weight = rho_d}};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return albedo::beckmann(d, alpha_x, alpha_y);
   }
 
   template <class T>

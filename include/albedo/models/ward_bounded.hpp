@@ -31,7 +31,8 @@ struct WardBounded {
   }
 
   [[nodiscard]] Claims claims() const {
-    return {.conserves_energy = rho_s + rho_d <= 1, .isotropic = alpha_x == alpha_y};
+    return {
+        .conserves_energy = rho_s + rho_d <= 1, .isotropic = alpha_x == alpha_y, .distribution = Measure::projected};
   }
   [[nodiscard]] std::vector<Lobe> lobes() const {
     Lobe specular = slope_lobe(0, Profile::gaussian, alpha_x, alpha_y);
@@ -39,6 +40,11 @@ struct WardBounded {
     // 1/(N·L + N·V) has layers of width N·L at the horizon and, at grazing incidence, at H = N: nodes towards both ends
     specular.horizon_exponent = 1.25;
     return {specular, {.component = 1, .weight = rho_d}};
+  }
+
+  template <class T>
+  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+    return albedo::beckmann(d, alpha_x, alpha_y);
   }
 
   template <class T>
