@@ -159,6 +159,8 @@ Command add_at(CLI::App& program) {
       "  albedo at ward alpha=0.1 --theta 0,60,89.9 --assert 'at(60)==0.488988+-1e-6'\n"
       "A sum of models, each with its parameters behind a colon; weight=0.5 among them halves a part:\n"
       "  albedo at sum lambert:rho=0.2 ward:alpha=0.1,rho_s=0.3 --theta 0,60\n"
+      "A polished or rough surface over a matte body that gets what the surface leaves (r_m: the body's reflectance):\n"
+      "  albedo at coupled ggx:alpha=0.2,f0=0.04 r_m=0.5 --theta 0,60\n"
       "A measured material, a result for each of its channels or, with channel=R, one; its table isn't smooth:\n"
       "  albedo at measured file=material.bsdf --theta 0,60 --rule cubature --tolerance 1e-3");
   return {app, [arguments](const std::string&) { return run(*arguments); }};

@@ -45,8 +45,8 @@ std::string law_text(const PowerLaw& law) {
   if (law.status != Status::converged) return "none";
   const std::string constant = with_error(law.constant, law.constant_error);
   if (law.exponent == 0) return constant;
-  const std::string error = law.exponent_error > 0 ? "(" + with_error(-law.exponent, law.exponent_error) + ")"
-                                                   : short_text(-law.exponent);
+  const std::string error =
+      law.exponent_error > 0 ? "(" + with_error(-law.exponent, law.exponent_error) + ")" : short_text(-law.exponent);
   return constant + " (N.L)^" + error;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -139,19 +138,6 @@ void write(const Json& provenance, const std::vector<ChannelCurve>& curves, cons
   file.commit();
 }
 
-/// 2 ∫ a(μ) μ dμ over [0, 1], interval by interval of the nodes: the albedo under light from everywhere.
-double hemispherical_mean(const AlbedoCurve& curve) {
-  double sum = 0, upper = 1;
-  for (std::size_t i = 0; i <= curve.nodes().size(); ++i) {
-    const double lower = i < curve.nodes().size() ? curve.nodes()[i].cos_theta : 0;
-    if (lower == upper) continue;
-    sum +=
-        boost::math::quadrature::gauss<double, 7>::integrate([&](double c) { return 2 * c * curve(c); }, lower, upper);
-    upper = lower;
-  }
-  return sum;
-}
-
 /// Extremes of the nodes and of the limit at grazing incidence, over all channels; the mean is theirs too.
 Facts facts_of(const std::vector<ChannelCurve>& curves) {
   std::vector<double> values;
@@ -160,7 +146,7 @@ Facts facts_of(const std::vector<ChannelCurve>& curves) {
   for (const auto& [channel, curve] : curves) {
     values.push_back(curve(0));
     for (const AlbedoCurve::Node& node : curve.nodes()) values.push_back(node.albedo.value);
-    facts.mean += hemispherical_mean(curve) / static_cast<double>(curves.size());
+    facts.mean += curve.average() / static_cast<double>(curves.size());
     if (!(curve.relative_bound() <= facts.error)) facts.error = curve.relative_bound();  // keeps NaN
     facts.evaluations += static_cast<double>(curve.evaluations());
   }

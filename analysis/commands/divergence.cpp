@@ -51,9 +51,9 @@ std::vector<Case> cases_of(const std::vector<std::string>& words) {
 }
 
 Json law_json(const PowerLaw& law) {
-  return {{"exponent", law.exponent}, {"exponent_error", law.exponent_error},
-          {"constant", law.constant},        {"constant_error", law.constant_error},
-          {"evaluations", law.evaluations},  {"status", to_string(law.status)}};
+  return {{"exponent", law.exponent},       {"exponent_error", law.exponent_error},
+          {"constant", law.constant},       {"constant_error", law.constant_error},
+          {"evaluations", law.evaluations}, {"status", to_string(law.status)}};
 }
 
 Json case_json(const Case& one) {
@@ -114,8 +114,8 @@ int run(const Arguments& arguments) {
 
 Command add_divergence(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app = program.add_subcommand(
-      "divergence", "what the albedo does towards grazing incidence: a(L) ~ C (N.L)^-p");
+  CLI::App* const app =
+      program.add_subcommand("divergence", "what the albedo does towards grazing incidence: a(L) ~ C (N.L)^-p");
   app->add_option("MODEL", arguments->words, "models, each with its parameters as NAME=VALUE; default: all")
       ->type_name("");
   add_number(*app, "--phi", arguments->options.phi_degrees, "azimuth of L in degrees")->type_name("DEG");

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "albedo/combinators/coupled.hpp"
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/checks.hpp"
@@ -44,13 +45,15 @@ std::unique_ptr<Model> make_written(const Written& written, const std::string& c
 }
 
 /// MODEL[:NAME=VALUE[,NAME=VALUE]...], one of the names may be `weight`.
-Written part_of(const std::string& text) {
+Written part_of(const std::string& combination, const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string model = text.substr(0, colon);
   if (model.empty() || model.find('=') != std::string::npos) {
-    throw ParameterError("sum: '" + text + "' is not of the form MODEL or MODEL:NAME=VALUE,NAME=VALUE");
+    throw ParameterError(combination + ": '" + text + "' is not of the form MODEL or MODEL:NAME=VALUE,NAME=VALUE");
   }
-  if (model == sum_name) throw ParameterError("sum: '" + text + "' is a sum; write its parts instead");
+  if (is_combination(model)) {
+    throw ParameterError(combination + ": '" + text + "' is not a model of its own and can't be a part");
+  }
   Written part{.model = model};
   bool weighted = false;
   for (std::size_t begin = colon; begin != std::string::npos;) {
@@ -61,6 +64,8 @@ Written part_of(const std::string& text) {
       part.assignments.push_back(assignment);
       continue;
     }
+    if (combination != sum_name)
+      throw ParameterError(combination + ": '" + text + "' has a weight; parts of a sum have one");
     if (weighted) throw ParameterError("sum: '" + text + "' has its weight set twice");
     weighted = true;
     part.weight = parse_number(model + ": weight", assignment.text);
@@ -68,11 +73,39 @@ Written part_of(const std::string& text) {
   return part;
 }
 
-std::vector<Written> parts_of(const std::vector<std::string>& texts) {
-  if (texts.empty()) throw ParameterError("sum has no parts; give some, such as lambert:rho=0.2");
+/// What is behind the name of a combination.
+struct Combination {
   std::vector<Written> parts;
-  for (const std::string& text : texts) parts.push_back(part_of(text));
-  return parts;
+  double r_m = 1;  ///< of `coupled`
+};
+
+Combination combination_of(const std::string& name, const std::vector<std::string>& texts) {
+  Combination combination;
+  bool has_r_m = false;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('='), colon = text.find(':');
+    const bool is_parameter = equals != std::string::npos && equals < colon;
+    if (name != coupled_name || !is_parameter) {
+      combination.parts.push_back(part_of(name, text));
+      continue;
+    }
+    const Assignment assignment = parse_assignment(text);
+    if (assignment.name != "r_m") {
+      throw ParameterError("coupled has no parameter '" + assignment.name +
+                           "'; it has r_m, and those of its surface are behind a colon");
+    }
+    if (has_r_m) throw ParameterError("coupled: r_m is set twice");
+    has_r_m = true;
+    combination.r_m = parse_number("coupled: r_m", assignment.text);
+  }
+  if (combination.parts.empty()) {
+    throw ParameterError(name == sum_name ? "sum has no parts; give some, such as lambert:rho=0.2"
+                                          : "coupled has no surface; give one, such as ggx:alpha=0.2,f0=0.04");
+  }
+  if (name == coupled_name && combination.parts.size() > 1) {
+    throw ParameterError("coupled has " + std::to_string(combination.parts.size()) + " surfaces and must have one");
+  }
+  return combination;
 }
 
 }  // namespace
@@ -84,9 +117,11 @@ std::vector<Assignment> ModelArguments::assignments() const {
   return result;
 }
 
+bool is_combination(const std::string& name) { return name == sum_name || name == coupled_name; }
+
 std::vector<std::string> ModelArguments::channels() const {
   const std::vector<Written> written =
-      model == sum_name ? parts_of(parameters) : std::vector<Written>{{model, assignments()}};
+      is_combination(model) ? combination_of(model, parameters).parts : std::vector<Written>{{model, assignments()}};
   for (const Written& one : written) {
     if (const ParameterInfo* channel = one.open_channel()) return channel->choices;
   }
@@ -94,9 +129,11 @@ std::vector<std::string> ModelArguments::channels() const {
 }
 
 std::unique_ptr<Model> ModelArguments::make(const std::string& channel) const {
-  if (model != sum_name) return make_written({model, assignments()}, channel);
+  if (!is_combination(model)) return make_written({model, assignments()}, channel);
+  const Combination combination = combination_of(model, parameters);
+  if (model == coupled_name) return coupled(make_written(combination.parts.front(), channel), combination.r_m);
   std::vector<SumModel::Part> parts;
-  for (const Written& part : parts_of(parameters)) parts.push_back({part.weight, make_written(part, channel)});
+  for (const Written& part : combination.parts) parts.push_back({part.weight, make_written(part, channel)});
   return std::make_unique<SumModel>(std::move(parts));
 }
 
@@ -121,10 +158,10 @@ void check_one_channel(const std::vector<Assertion>& assertions, const std::vect
 }
 
 void add_model_arguments(CLI::App& command, ModelArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "the reflectance model's name, or sum")->type_name("");
+  command.add_option("MODEL", arguments.model, "the reflectance model's name, sum or coupled")->type_name("");
   command
       .add_option("PARAMETERS", arguments.parameters,
-                  "its parameters, each as NAME=VALUE; of a sum its parts, each as MODEL:NAME=VALUE,...")
+                  "its parameters, each as NAME=VALUE; the parts of a sum, each as MODEL:NAME=VALUE,...")
       ->type_name("");
 }
 

@@ -1,5 +1,6 @@
 /// @file
-/// MODEL [PARAM=VALUE]... on the command line, or sum PART... with parts MODEL[:PARAM=VALUE[,PARAM=VALUE]...].
+/// MODEL [PARAM=VALUE]... on the command line, or a combination of parts MODEL[:PARAM=VALUE[,PARAM=VALUE]...]: sum
+/// PART..., coupled PART [r_m=VALUE].
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,8 +15,12 @@
 
 namespace albedo::analysis {
 
-/// The name that makes a model of the parts behind it.
+/// The names that make a model of the parts behind them.
 inline constexpr const char* sum_name = "sum";
+inline constexpr const char* coupled_name = "coupled";
+
+/// Whether a name is one of these.
+bool is_combination(const std::string& name);
 
 /// The positional arguments, as written.
 struct ModelArguments {

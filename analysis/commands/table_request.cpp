@@ -109,7 +109,9 @@ Parameters TableRequest::fixed_parameters() const {
 }
 
 TableRequest parse_table_request(const ModelArguments& arguments) {
-  if (arguments.model == sum_name) throw ParameterError("a table varies the parameters of one model, and sum has none");
+  if (is_combination(arguments.model)) {
+    throw ParameterError("a table varies the parameters of one model, and " + arguments.model + " has none");
+  }
   const std::vector<Assignment> assignments = arguments.assignments();
   const ModelInfo& info = model_info(arguments.model);
   TableRequest request{

@@ -50,6 +50,9 @@ class AlbedoCurve {
   /// A value that a(L) doesn't exceed: the curve raised by its bound.
   [[nodiscard]] double upper(double cos_theta) const;
 
+  /// 2 ∫ a(μ) μ dμ over [0, 1] of the interpolated albedo: what is reflected of light from everywhere.
+  [[nodiscard]] double average() const;
+
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< from normal incidence to grazing
   [[nodiscard]] CurveForm form() const { return form_; }
   [[nodiscard]] double grazing_exponent() const { return grazing_exponent_; }  ///< p; negative where the model diverges

@@ -23,11 +23,17 @@ void check(const std::vector<SumModel::Part>& parts) {
   }
 }
 
-ModelInfo info_of(const std::vector<SumModel::Part>& parts) {
+ModelInfo sum_info(const std::vector<SumModel::Part>& parts) {
   ModelInfo info{.name = "sum", .title = "Sum", .source = "f = Σ w_i f_i", .deviation = "none"};
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    info.title += (i == 0 ? " of " : " + ") + parts[i].model->info().name;
+  }
+  return info;
+}
+
+ModelInfo with_parameters(ModelInfo info, const std::vector<SumModel::Part>& parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
     const ModelInfo& part = parts[i].model->info();
-    info.title += (i == 0 ? " of " : " + ") + part.name;
     info.parameters.push_back(
         {.name = numbered(i, "model"), .meaning = part.title, .range = {0, 0}, .choices = {part.name}});
     info.parameters.push_back({.name = numbered(i, "weight"),
@@ -47,7 +53,7 @@ ModelInfo info_of(const std::vector<SumModel::Part>& parts) {
 
 SumModel::SumModel(std::vector<Part> parts) : parts_(std::move(parts)) {
   check(parts_);
-  info_ = info_of(parts_);
+  info_ = with_parameters(sum_info(parts_), parts_);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     for (Lobe lobe : parts_[i].model->lobes()) {
       if (parts_[i].weight == 0) continue;
@@ -59,7 +65,13 @@ SumModel::SumModel(std::vector<Part> parts) : parts_(std::move(parts)) {
   }
 }
 
+SumModel::SumModel(std::vector<Part> parts, ModelInfo info, const Claims& claims) : SumModel(std::move(parts)) {
+  info_ = with_parameters(std::move(info), parts_);
+  claims_ = claims;
+}
+
 Claims SumModel::claims() const {
+  if (claims_) return *claims_;
   Claims all;
   double weights = 0;
   for (const Part& part : parts_) {

@@ -1,6 +1,7 @@
 #include "albedo/curve.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
 
@@ -372,6 +373,18 @@ double AlbedoCurve::upper(double cos_theta) const {
   if (!(relative_bound_ < 1)) return infinity;
   return a + relative_bound_ / (1 - relative_bound_) *
                  std::max(a, floor_);  // the bound is relative to the albedo, not to a
+}
+
+double AlbedoCurve::average() const {
+  double sum = 0, upper = 1;
+  for (std::size_t i = 0; i <= nodes_.size(); ++i) {
+    const double lower = i < nodes_.size() ? nodes_[i].cos_theta : 0;
+    if (lower == upper) continue;
+    sum += boost::math::quadrature::gauss<double, 15>::integrate([&](double c) { return 2 * c * (*this)(c); }, lower,
+                                                                 upper);
+    upper = lower;
+  }
+  return sum;
 }
 
 }  // namespace albedo

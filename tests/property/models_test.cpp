@@ -201,7 +201,11 @@ TEST_P(Models, BoundedIfAndOnlyIfClaimed) {
       EXPECT_TRUE(e.status == Status::converged || vanishes) << battery::name(c) << ": " << battery::text(e);
       EXPECT_TRUE(std::isfinite(e.value)) << battery::name(c);
       const Estimate near = directional_albedo(*model, Direction::from_cosine(1e-11, c.phi), {.tolerance = 1e-6});
-      EXPECT_NEAR(e.value, near.value, e.error + near.error + 1e-4 * e.value + 1e-9) << battery::name(c);
+      if (vanishes) {
+        EXPECT_LE(e.value, near.value + near.error + 1e-9) << battery::name(c);  // slowly, some as a logarithm
+      } else {
+        EXPECT_NEAR(e.value, near.value, e.error + near.error + 1e-4 * e.value + 1e-9) << battery::name(c);
+      }
     } else {
       EXPECT_EQ(e.status, Status::divergent) << battery::name(c) << ": " << battery::text(e);
       EXPECT_EQ(e.value, std::numeric_limits<double>::infinity()) << battery::name(c);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "albedo/core/model.hpp"
@@ -23,6 +24,9 @@ class SumModel final : public Model {
 
   /// @throws ParameterError unless there is a part, every part has a model and every weight is within [0, 1e6]
   explicit SumModel(std::vector<Part> parts);
+
+  /// A sum that is a model of its own: its name, title, source and deviation, and what it claims by construction.
+  SumModel(std::vector<Part> parts, ModelInfo info, const Claims& claims);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
@@ -64,6 +68,7 @@ class SumModel final : public Model {
   std::vector<Source> sources_;  // of the components
   std::vector<Lobe> lobes_;
   ModelInfo info_;
+  std::optional<Claims> claims_{};
 };
 
 }  // namespace albedo
