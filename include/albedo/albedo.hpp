@@ -11,5 +11,6 @@
 #include "albedo/curve.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "albedo/reference.hpp"
+#include "albedo/registry.hpp"
 #include "albedo/table.hpp"
 #include "albedo/version.hpp"
