@@ -1,3 +1,5 @@
+#include "albedo/command_line.hpp"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -13,9 +15,10 @@
 #include "analysis/input/value.hpp"
 #include "analysis/output/atomic_file.hpp"
 
+namespace albedo {
 namespace {
 
-using namespace albedo::analysis;
+using namespace analysis;
 
 /// Refuses what no option or subcommand has taken, with a suggestion.
 void check_understood(const CLI::App& app, const std::vector<std::string>& candidates, const std::string& kind) {
@@ -35,8 +38,9 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-int run(int argc, char** argv) {
-  CLI::App program("The directional albedo of reflectance models, with errors that can be believed.", "albedo");
+int run(int argc, const char* const* argv) {
+  CLI::App program("The directional albedo of reflectance models, with errors that can be believed.",
+                   program_name(argc, argv));
   program.set_version_flag("--version", "albedo " + std::string(albedo::version));
   program.require_subcommand(0, 1);
   program.allow_extras();
@@ -61,7 +65,7 @@ int run(int argc, char** argv) {
     return exit_code::usage;
   }
   check_understood(*chosen->app, option_names(*chosen->app), "option");
-  return chosen->run(command_line(argc, argv));
+  return chosen->run(quoted_command_line(argc, argv));
 }
 
 /// What was printed may wait in a buffer until now.
@@ -79,7 +83,7 @@ int complain(const std::string& message, int code) {
 }  // namespace
 
 /// The one translator of exceptions to exit codes.
-int main(int argc, char** argv) {
+int command_line(int argc, const char* const* argv) {
   try {
     const int code = run(argc, argv);
     flush_output();
@@ -96,3 +100,5 @@ int main(int argc, char** argv) {
     return complain("internal error: " + std::string(error.what()), exit_code::internal_error);
   }
 }
+
+}  // namespace albedo
