@@ -9,6 +9,7 @@
 #include <functional>
 #include <numeric>
 
+#include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 
 namespace albedo::analysis {
@@ -28,9 +29,9 @@ const ParameterInfo* open_channel(const Material& material) {
 }
 
 bool is_rgb(const Material& material) {
-  return open_channel(material) != nullptr || std::ranges::any_of(material.parameters, [](const auto& p) {
-           return std::holds_alternative<Channels>(p.second);
-         });
+  const auto is_array = [](const ParameterValue& value) { return std::holds_alternative<Channels>(value); };
+  return open_channel(material) != nullptr || is_array(material.scale) || is_array(material.lambertian) ||
+         std::ranges::any_of(material.parameters, [&](const auto& p) { return is_array(p.second); });
 }
 
 albedo::ParameterValue value_in_channel(const ModelInfo& info, const std::string& name, const ParameterValue& value,
@@ -43,6 +44,22 @@ albedo::ParameterValue value_in_channel(const ModelInfo& info, const std::string
     }
   }
   return std::get<Channels>(value)[channel];
+}
+
+double number_in_channel(const ParameterValue& value, std::size_t channel) {
+  if (const auto* channels = std::get_if<Channels>(&value)) return (*channels)[channel];
+  return std::get<double>(value);
+}
+
+/// The model itself where nothing is added to it, else a sum that goes by its name.
+std::unique_ptr<Model> with_lambertian(std::unique_ptr<Model> model, double scale, double lambertian) {
+  if (scale == 1 && lambertian == 0) return model;
+  ModelInfo info = model->info();
+  info.parameters.clear(), info.shorthands.clear();
+  std::vector<SumModel::Part> parts(2);
+  parts[0] = {scale, std::move(model)};
+  parts[1].model = make_model("lambert", {{"rho", lambertian}});
+  return std::make_unique<SumModel>(std::move(parts), std::move(info));
 }
 
 }  // namespace
@@ -60,7 +77,8 @@ std::unique_ptr<Model> make_material(const Material& material, std::size_t chann
       parameters.emplace_back(name, value_in_channel(info, name, value, channel));
     }
     if (const ParameterInfo* open = open_channel(material)) parameters.emplace_back(open->name, open->choices[channel]);
-    return make_model(material.model, parameters);
+    return with_lambertian(make_model(material.model, parameters), number_in_channel(material.scale, channel),
+                           number_in_channel(material.lambertian, channel));
   } catch (const Error& error) {
     throw FormatError("'" + file + "', line " + std::to_string(material.line) + ": " + error.what());
   }

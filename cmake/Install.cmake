@@ -5,7 +5,8 @@ install(
   DIRECTORY "${PROJECT_SOURCE_DIR}/include/" "${PROJECT_BINARY_DIR}/include/"
   TYPE INCLUDE
   FILES_MATCHING
-  PATTERN "*.hpp")
+  PATTERN "*.hpp"
+  PATTERN "command_line.hpp" EXCLUDE)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/albedo")
 install(EXPORT albedoTargets NAMESPACE albedo:: DESTINATION "${package_dir}")
@@ -16,6 +17,11 @@ install(FILES "${PROJECT_BINARY_DIR}/albedoConfig.cmake" "${PROJECT_BINARY_DIR}/
         DESTINATION "${package_dir}")
 
 if(ALBEDO_PROGRAMS)
+  # The component command_line, with a file of its own: whoever doesn't ask for it needs none of its packages.
+  install(TARGETS albedo_analysis EXPORT albedoCommandLineTargets)
+  install(EXPORT albedoCommandLineTargets NAMESPACE albedo:: DESTINATION "${package_dir}")
+  install(FILES "${PROJECT_SOURCE_DIR}/include/albedo/command_line.hpp" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/albedo")
+
   # A program of a shared build finds its library beside it, wherever the whole is moved.
   file(RELATIVE_PATH bin_to_lib "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
   set_target_properties(albedo_program albedo_figures PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")

@@ -22,8 +22,14 @@ std::string shell_quoted(std::string_view word) {
 
 }  // namespace
 
-std::string command_line(int argc, const char* const* argv) {
-  std::string text = "albedo";
+std::string program_name(int argc, const char* const* argv) {
+  const std::string_view path = argc > 0 ? argv[0] : "";
+  const std::string_view name = path.substr(path.rfind('/') + 1);  // npos + 1 = 0
+  return std::string(name.empty() ? "albedo" : name);
+}
+
+std::string quoted_command_line(int argc, const char* const* argv) {
+  std::string text = shell_quoted(program_name(argc, argv));
   for (int i = 1; i < argc; ++i) text += ' ' + shell_quoted(argv[i]);
   return text;
 }

@@ -11,8 +11,11 @@
 
 namespace albedo::analysis {
 
-/// The command line, quoted for a shell; the program is "albedo" wherever it stood.
-std::string command_line(int argc, const char* const* argv);
+/// The program's name, wherever it stands: "albedo", or that of one with models of its own.
+std::string program_name(int argc, const char* const* argv);
+
+/// The command line, quoted for a shell, with the program's name alone.
+std::string quoted_command_line(int argc, const char* const* argv);
 
 /// {"generator", "command"}: what every provenance begins with.
 nlohmann::ordered_json begin_provenance(const std::string& command_line);

@@ -113,7 +113,10 @@ class MaterialsParser {
   void add(const Entry& entry) {
     const Json json = parse_json(entry);
     if (!json.is_object()) fail(entry.line, R"(a material must be an object {"name", "model", "parameters"})");
-    Material material{text_member(json, "name", entry.line), text_member(json, "model", entry.line), {}, entry.line};
+    Material material{.name = text_member(json, "name", entry.line),
+                      .model = text_member(json, "model", entry.line),
+                      .parameters = {},
+                      .line = entry.line};
     const auto parameters = json.find("parameters");
     if (parameters == json.end()) fail(entry.line, "the material has no \"parameters\"");
     if (!parameters->is_object()) fail(entry.line, "\"parameters\" must be an object");
@@ -124,6 +127,8 @@ class MaterialsParser {
       }
       material.parameters.emplace_back(name, *parameter);
     }
+    read_number(json, "scale", entry.line, material.scale);
+    read_number(json, "lambertian", entry.line, material.lambertian);
     materials_.push_back(std::move(material));
   }
 
@@ -165,6 +170,16 @@ class MaterialsParser {
       fail(line, quoted(key) + " must be a text that is not empty");
     }
     return member->get<std::string>();
+  }
+
+  void read_number(const Json& json, const char* key, std::size_t line, ParameterValue& target) const {
+    const auto member = json.find(key);
+    if (member == json.end()) return;
+    const std::optional<ParameterValue> value = parameter_value(*member);
+    if (!value || std::holds_alternative<std::string>(*value)) {
+      fail(line, quoted(key) + " must be a number or an array of three numbers");
+    }
+    target = *value;
   }
 
   static std::optional<ParameterValue> parameter_value(const Json& json) {

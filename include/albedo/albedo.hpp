@@ -14,5 +14,6 @@
 #include "albedo/directional_albedo.hpp"
 #include "albedo/grazing.hpp"
 #include "albedo/reference.hpp"
+#include "albedo/registry.hpp"
 #include "albedo/table.hpp"
 #include "albedo/version.hpp"

@@ -3,8 +3,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <sstream>
 
-#include "albedo/core/erased_model.hpp"
 #include "albedo/core/errors.hpp"
+#include "albedo/registry.hpp"
 
 namespace albedo {
 namespace {
@@ -21,16 +21,6 @@ double transmitted_mean(const TabulatedMatte& matte) {
     upper = lower;
   }
   return sum;
-}
-
-const ModelInfo& matte_info() {
-  static const ModelInfo info = [] {
-    ModelInfo all = TabulatedMatte::info();
-    for (const Parameter<TabulatedMatte>& parameter : TabulatedMatte::parameters())
-      all.parameters.push_back(parameter.info);
-    return all;
-  }();
-  return info;
 }
 
 }  // namespace
@@ -71,7 +61,7 @@ std::unique_ptr<Model> coupled(std::unique_ptr<Model> surface, double r_m, doubl
 
   std::vector<SumModel::Part> parts(2);
   parts[0].model = std::move(surface);
-  parts[1].model = std::make_unique<ErasedModel<TabulatedMatte>>(matte, matte_info());
+  parts[1].model = std::make_unique<ErasedModel<TabulatedMatte>>(matte, detail::complete_info<TabulatedMatte>());
   ModelInfo info{.name = "coupled",
                  .title = "Surface over a matte body",
                  .source = TabulatedMatte::info().source,

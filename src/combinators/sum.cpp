@@ -65,7 +65,7 @@ SumModel::SumModel(std::vector<Part> parts) : parts_(std::move(parts)) {
   }
 }
 
-SumModel::SumModel(std::vector<Part> parts, ModelInfo info, const Claims& claims) : SumModel(std::move(parts)) {
+SumModel::SumModel(std::vector<Part> parts, ModelInfo info, std::optional<Claims> claims) : SumModel(std::move(parts)) {
   info_ = with_parameters(std::move(info), parts_);
   claims_ = claims;
 }

@@ -65,9 +65,12 @@ Field read_field(const MeasuredFile& file, Head& head) {
   std::uint64_t bytes = sizes[static_cast<std::size_t>(field.type)];
   for (int i = 0; i < dimensions; ++i) {
     const auto extent = head.number<std::uint64_t>();
-    if (extent == 0 || extent > size / bytes) {
+    if (extent == 0 || extent > size) {
       file.refuse("is truncated or corrupt: a field has a dimension of " + std::to_string(extent) + " in a file of " +
                   std::to_string(size) + " bytes");
+    }
+    if (extent > size / bytes) {
+      file.refuse("is truncated: a field is larger than the file of " + std::to_string(size) + " bytes");
     }
     bytes *= extent;
     field.shape.push_back(static_cast<std::size_t>(extent));

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numeric>
 
-#include "albedo/core/erased_model.hpp"
 #include "albedo/core/errors.hpp"
 #include "albedo/core/suggestion.hpp"
 #include "albedo/models/all.hpp"
+#include "albedo/registry.hpp"
 
 namespace albedo {
 namespace {
@@ -24,6 +24,96 @@ std::string text(const std::vector<std::string>& names) {
   return list;
 }
 
+std::string text(const Range& range) { return "[" + text(range.minimum) + ", " + text(range.maximum) + "]"; }
+
+struct Registry {
+  std::vector<ModelInfo> infos;
+  std::vector<const ModelInfo*> lasting_infos;  // the same, where they never move
+  std::vector<detail::Factory> factories;
+
+  template <class... Models>
+  explicit Registry(ModelList<Models...>) {
+    (detail::require_model_struct<Models>(), ...);
+    (add(detail::complete_info<Models>(), &make_model<Models>), ...);
+  }
+
+  static Registry& instance() {
+    static Registry registry{AllModels{}};
+    return registry;
+  }
+
+  void add(const ModelInfo& info, detail::Factory factory) {
+    infos.push_back(info);
+    lasting_infos.push_back(&info);
+    factories.push_back(factory);
+  }
+
+  [[nodiscard]] std::size_t find(std::string_view name) const {
+    const auto found = std::ranges::find(infos, name, &ModelInfo::name);
+    if (found != infos.end()) return static_cast<std::size_t>(found - infos.begin());
+    std::vector<std::string> names;
+    for (const ModelInfo& info : infos) names.push_back(info.name);
+    const std::string close = suggestion(name, names);
+    throw UnknownModel("unknown model '" + std::string(name) + "'" +
+                       (close.empty() ? "; known are " + text(names) : "; did you mean '" + close + "'?"));
+  }
+};
+
+void check_name(const std::string& subject, const std::string& name, const std::vector<std::string>& taken) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (name.empty() || !is_letter(name.front()) ||
+      !std::ranges::all_of(name, [&](char c) { return is_letter(c) || is_digit(c); })) {
+    throw ParameterError(subject + " is named '" + name + "' and must be named by letters, digits and underscores");
+  }
+  if (std::ranges::find(taken, name) != taken.end()) {
+    throw ParameterError(subject + " can't be named '" + name + "': the name is taken");
+  }
+}
+
+/// What the library's own models are known to satisfy.
+void check_info(const ModelInfo& info) {
+  std::vector<std::string> taken{"sum", "coupled"};
+  for (const ModelInfo& other : model_infos()) taken.push_back(other.name);
+  check_name("a model", info.name, taken);
+  taken = {"theta", "cos_theta", "phi", "weight"};
+  for (const ParameterInfo& parameter : info.parameters) {
+    check_name("a parameter of " + info.name, parameter.name, taken);
+    taken.push_back(parameter.name);
+    if (!parameter.is_text && !parameter.range.contains(parameter.default_value)) {
+      throw ParameterError(info.name + ": the default of " + parameter.name + " is " + text(parameter.default_value) +
+                           " and must be within " + text(parameter.range));
+    }
+  }
+  for (const Shorthand& shorthand : info.shorthands) {
+    check_name("a shorthand of " + info.name, shorthand.name, taken);
+    taken.push_back(shorthand.name);
+    for (const std::string& parameter : shorthand.parameters) {
+      if (info.find(parameter) == nullptr) {
+        throw ParameterError(info.name + ": the shorthand " + shorthand.name + " sets '" + parameter +
+                             "', and there is no such parameter");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+namespace detail {
+
+std::vector<std::string> resolved(const ModelInfo& model, const std::string& name) {
+  std::vector<std::string> names = model.resolve(name);
+  if (!names.empty()) return names;
+  std::vector<std::string> candidates;
+  for (const ParameterInfo& parameter : model.parameters) candidates.push_back(parameter.name);
+  for (const Shorthand& shorthand : model.shorthands) candidates.push_back(shorthand.name);
+  const std::string close = suggestion(name, candidates);
+  throw ParameterError(model.name + " has no parameter '" + name + "'" +
+                       (!close.empty()       ? "; did you mean '" + close + "'?"
+                        : candidates.empty() ? "; it has none"
+                                             : "; it has " + text(candidates)));
+}
+
 double checked_value(const ModelInfo& model, const ParameterInfo& parameter, const ParameterValue& value) {
   const std::string subject = model.name + ": " + parameter.name;
   if (const auto* name = std::get_if<std::string>(&value)) {
@@ -37,76 +127,22 @@ double checked_value(const ModelInfo& model, const ParameterInfo& parameter, con
     return checked_value(model, parameter, ParameterValue(text(number)));
   }
   if (!parameter.range.contains(number)) {
-    throw ParameterError(subject + " is " + text(number) + " and must be within [" + text(parameter.range.minimum) +
-                         ", " + text(parameter.range.maximum) + "]");
+    throw ParameterError(subject + " is " + text(number) + " and must be within " + text(parameter.range));
   }
   return number;
 }
 
-template <class M>
-std::unique_ptr<Model> make(const ModelInfo& info, const Parameters& parameters) {
-  M model;
-  for (const auto& [name, value] : parameters) {
-    const std::vector<std::string> names = info.resolve(name);
-    if (names.empty()) {
-      std::vector<std::string> candidates;
-      for (const ParameterInfo& parameter : info.parameters) candidates.push_back(parameter.name);
-      for (const Shorthand& shorthand : info.shorthands) candidates.push_back(shorthand.name);
-      const std::string close = suggestion(name, candidates);
-      throw ParameterError(info.name + " has no parameter '" + name + "'" +
-                           (close.empty() ? "; it has " + text(candidates) : "; did you mean '" + close + "'?"));
-    }
-    for (const Parameter<M>& parameter : M::parameters()) {
-      if (std::find(names.begin(), names.end(), parameter.info.name) == names.end()) continue;
-      if (parameter.info.is_text) {
-        if (!std::holds_alternative<std::string>(value)) {
-          throw ParameterError(info.name + ": " + name + " is a number and must be a text");
-        }
-        parameter.text(model) = std::get<std::string>(value);
-      } else {
-        parameter.set(model, checked_value(info, parameter.info, value));
-      }
-    }
-  }
-  if constexpr (requires { model.load(); }) model.load();
-  return std::make_unique<ErasedModel<M>>(std::move(model), info);
+const std::string& checked_text(const ModelInfo& model, const ParameterInfo& parameter, const ParameterValue& value) {
+  if (const auto* given = std::get_if<std::string>(&value)) return *given;
+  throw ParameterError(model.name + ": " + parameter.name + " is a number and must be a text");
 }
 
-template <class M>
-ModelInfo complete_info() {
-  ModelInfo info = M::info();
-  for (const Parameter<M>& parameter : M::parameters()) info.parameters.push_back(parameter.info);
-  info.claims = M{}.claims();
-  return info;
+void register_model(const ModelInfo& info, Factory factory) {
+  check_info(info);
+  Registry::instance().add(info, factory);
 }
 
-struct Registry {
-  using Factory = std::unique_ptr<Model> (*)(const ModelInfo&, const Parameters&);
-
-  std::vector<ModelInfo> infos;
-  std::vector<Factory> factories;
-
-  template <class... Models>
-  explicit Registry(ModelList<Models...>) : infos{complete_info<Models>()...}, factories{&make<Models>...} {}
-
-  static const Registry& instance() {
-    static const Registry registry{AllModels{}};
-    return registry;
-  }
-
-  [[nodiscard]] std::size_t find(std::string_view name) const {
-    const auto found =
-        std::find_if(infos.begin(), infos.end(), [&](const ModelInfo& info) { return info.name == name; });
-    if (found != infos.end()) return static_cast<std::size_t>(found - infos.begin());
-    std::vector<std::string> names;
-    for (const ModelInfo& info : infos) names.push_back(info.name);
-    const std::string close = suggestion(name, names);
-    throw UnknownModel("unknown model '" + std::string(name) + "'" +
-                       (close.empty() ? "; known are " + text(names) : "; did you mean '" + close + "'?"));
-  }
-};
-
-}  // namespace
+}  // namespace detail
 
 const ParameterInfo* ModelInfo::find(std::string_view wanted) const {
   const auto found =
@@ -135,14 +171,14 @@ std::vector<std::string> ModelInfo::resolve(std::string_view wanted) const {
 std::unique_ptr<Model> make_model(std::string_view name, const Parameters& parameters) {
   const Registry& registry = Registry::instance();
   const std::size_t index = registry.find(name);
-  return registry.factories[index](registry.infos[index], parameters);
+  return registry.factories[index](parameters);
 }
 
 const std::vector<ModelInfo>& model_infos() { return Registry::instance().infos; }
 
 const ModelInfo& model_info(std::string_view name) {
   const Registry& registry = Registry::instance();
-  return registry.infos[registry.find(name)];
+  return *registry.lasting_infos[registry.find(name)];
 }
 
 }  // namespace albedo

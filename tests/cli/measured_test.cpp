@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -122,6 +123,50 @@ TEST_F(MeasuredCli, WrongInputIsOneLineAndExitCodeTwo) {
     EXPECT_NE(outcome.err.find(message), std::string::npos) << message << ": " << outcome.err;
   }
   EXPECT_EQ(run_albedo({"curve", "measured", "file=material.bsdf", "-o", "curve.npy"}).code, 2);
+}
+
+/// The file of the test and, where there are any, RGL's: what is left of them at every twentieth of their length.
+TEST_F(MeasuredCli, TruncatedFilesAreOneLineAndExitCodeTwo) {
+  std::vector<std::string> wholes{read_text("material.bsdf")};
+  if (const char* directory = std::getenv("ALBEDO_MEASURED_DIR")) {
+    for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+      if (entry.path().extension() != ".bsdf") continue;
+      wholes.push_back(read_text(entry.path()));
+      break;
+    }
+  }
+  for (const std::string& whole : wholes) {
+    for (std::size_t i = 0; i < 20; ++i) {
+      write_text("piece.bsdf", whole.substr(0, whole.size() * i / 20));
+      const Outcome outcome = run_albedo({"table", "measured", "file=piece.bsdf", "theta=0,45", "-o", "table.csv"});
+      EXPECT_EQ(outcome.code, 2) << i << ": " << outcome.err;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
+      EXPECT_NE(outcome.err.find("'piece.bsdf'"), std::string::npos) << outcome.err;
+      EXPECT_EQ(files(), (std::vector<std::string>{"material.bsdf", "piece.bsdf"}));
+    }
+  }
+}
+
+/// A MERL file has 90, 90, 180 in front: others that would fit are read, none that doesn't.
+TEST_F(MeasuredCli, AWrongHeaderOfABinaryIsOneLineAndExitCodeTwo) {
+  const auto zeros = [](int, int, int, int) { return 0.5; };
+  const std::string whole = merl_bytes({6, 5, 4}, zeros);
+  write_text("whole.binary", whole);
+  EXPECT_EQ(run_albedo({"at", "measured", "file=whole.binary", "channel=G", "--theta", "0"}).code, 0);
+  const std::vector<std::pair<std::array<std::int32_t, 3>, std::string>> cases{
+      {{-90, 90, 180}, "a dimension of -90"},        {{0, 5, 4}, "a dimension of 0"}, {{6, 5, 1}, "a dimension of 1"},
+      {{90, 90, 180}, "a dimension of 90"},          {{5, 5, 4}, "must have 2412"},   {{6, 6, 4}, "a dimension of 4"},
+      {{1 << 30, 4, 4}, "a dimension of 1073741824"}};
+  for (const auto& [counts, message] : cases) {
+    std::string changed = whole;
+    std::memcpy(changed.data(), counts.data(), sizeof counts);
+    write_text("wrong.binary", changed);
+    const Outcome outcome = run_albedo({"at", "measured", "file=wrong.binary", "--theta", "0"});
+    EXPECT_EQ(outcome.code, 2) << message;
+    EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << message << ": " << outcome.err;
+  }
 }
 
 }  // namespace

@@ -1,9 +1,14 @@
 #include "albedo/models/measured.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <new>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/directional_albedo.hpp"
@@ -215,6 +220,73 @@ TEST(MeasuredBroken, EveryPrefixIsRefused) {
     EXPECT_NE(refusal(whole.substr(0, size)), "none") << size;
   }
   EXPECT_NE(refusal(whole.substr(0, whole.size() - 1)), "none");
+}
+
+/// A material of RGL's, cut off at every twentieth of its length and within its header.
+TEST(MeasuredBroken, NoPieceOfARealFileIsTakenForTheWhole) {
+  const char* directory = std::getenv("ALBEDO_MEASURED_DIR");
+  if (directory == nullptr) GTEST_SKIP() << "ALBEDO_MEASURED_DIR names no directory";
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() != ".bsdf") continue;
+    std::ifstream stream(entry.path(), std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+    ASSERT_EQ(refusal(whole), "none") << entry.path();
+    std::vector<std::size_t> sizes{1, 11, 12, 13, 17, 18, 19, 40, whole.size() - 1};
+    for (std::size_t i = 0; i < 20; ++i) sizes.push_back(whole.size() * i / 20);
+    for (const std::size_t size : sizes) {
+      const std::string message = refusal(whole.substr(0, size));
+      EXPECT_NE(message, "none") << entry.path() << " cut to " << size;
+      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+/// Lengths of gigabytes in a file of a kilobyte are refused without memory for them: the process may have 64 MiB more
+/// than it has.
+TEST(MeasuredBroken, LengthsAreCheckedBeforeAnythingIsAllocated) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs more address space than there is";
+#endif
+  const std::string head = rgl_bytes({}).substr(0, 1000);
+  const auto replaced = [&](std::size_t at, std::uint64_t value, std::size_t bytes) {
+    std::string changed = head;
+    for (std::size_t i = 0; i < bytes; ++i) changed[at + i] = static_cast<char>(value >> (8 * i));
+    return changed;
+  };
+  const std::size_t field = 18, type = field + 2 + 7 + 2, begin = type + 1, shape = begin + 8;
+  std::vector<std::string> files{replaced(14, 0xffffffff, 4), replaced(field, 0xffff, 2), replaced(field + 9, 16, 2),
+                                 replaced(field + 9, 0xffff, 2), replaced(type, 11, 1)};
+  for (const std::uint64_t length : {std::uint64_t{3} << 30, std::uint64_t{1} << 61, ~std::uint64_t{0}}) {
+    files.push_back(replaced(shape, length, 8));
+    files.push_back(replaced(begin, length, 8));
+  }
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  for (const std::array<std::int32_t, 3> counts :
+       {std::array<std::int32_t, 3>{most, most, most}, {90, 90, 180}, {1 << 16, 1 << 16, 1 << 16}, {2, 2, 1 << 30}}) {
+    std::string merl(1000, '\0');
+    std::memcpy(merl.data(), counts.data(), sizeof counts);
+    files.push_back(merl);
+  }
+
+  std::ifstream statm("/proc/self/statm");
+  std::uint64_t pages = 0;
+  ASSERT_TRUE(statm >> pages);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  rlimit tight = before;
+  tight.rlim_cur = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + (64U << 20U);
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &tight), 0);
+  EXPECT_THROW(std::vector<char>(std::size_t{1} << 30U), std::bad_alloc);  // the limit is one
+  std::vector<std::string> messages;
+  for (const std::string& bytes : files) messages.push_back(refusal(bytes));
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_NE(messages[i], "none") << i;
+    EXPECT_EQ(messages[i].find('\n'), std::string::npos) << messages[i];
+  }
 }
 
 /// Whatever is in a header, a file is read or refused: sizes are checked before they are believed.

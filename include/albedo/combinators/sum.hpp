@@ -25,8 +25,9 @@ class SumModel final : public Model {
   /// @throws ParameterError unless there is a part, every part has a model and every weight is within [0, 1e6]
   explicit SumModel(std::vector<Part> parts);
 
-  /// A sum that is a model of its own: its name, title, source and deviation, and what it claims by construction.
-  SumModel(std::vector<Part> parts, ModelInfo info, const Claims& claims);
+  /// A sum that is a model of its own: its name, title, source and deviation, and what it claims by construction, if
+  /// that isn't what follows from its parts.
+  SumModel(std::vector<Part> parts, ModelInfo info, std::optional<Claims> claims = {});
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 

@@ -148,7 +148,7 @@ extern template Quad brdf<Quad>(const Model&, const Direction&, const Direction&
 /// range).
 std::unique_ptr<Model> make_model(std::string_view name, const Parameters& parameters = {});
 
-/// Every model's information, in the order of models/all.hpp.
+/// Every model's information, in the order of models/all.hpp, then of register_model.
 const std::vector<ModelInfo>& model_infos();
 
 /// The information of one model. @throws UnknownModel

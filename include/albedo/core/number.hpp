@@ -4,6 +4,11 @@
 #error "albedo relies on IEEE arithmetic (NaN, infinity, exact differences): build it without -ffast-math"
 #endif
 
+// Quad needs nothing of GNU's __float128. Where it is on, in -std=gnu++20, Boost would have every program link
+// libquadmath.
+#include <boost/config.hpp>
+#undef BOOST_HAS_FLOAT128
+
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
