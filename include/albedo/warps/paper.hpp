@@ -104,7 +104,8 @@ class PaperWarp {
       const auto begin = change.begin() + sector * per_sector;
       const auto largest = std::max_element(begin, begin + per_sector);
       if (*largest <= part * tolerance * sum) {
-        truncation_ += 4 * *largest / (sectors * sum);  // a sum over depths, and between the rays
+        // a sum over depths, and between the rays; nothing where all of the tail is below the horizon
+        if (*largest > 0) truncation_ += 4 * *largest / (sectors * sum);
       } else {
         const int depth = first_depth + static_cast<int>((largest - begin) % (last_depth - first_depth + 1));
         const double tail = std::ldexp(1.0, 1 - depth);
