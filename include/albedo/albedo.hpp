@@ -4,6 +4,7 @@
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V of reflectance models, with errors that can be believed.
 /// Start at albedo::make_model and albedo::directional_albedo; albedo::AlbedoCurve and albedo::AlbedoTable tabulate.
 
+#include "albedo/bounds.hpp"
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "albedo/core/estimate.hpp"
