@@ -305,6 +305,24 @@ TEST(PaperWarp, RefusesAModelWithoutASampler) {
   }
 }
 
+/// Where a rule's last cells round to the square's edges, weights are numbers still.
+TEST_P(Samplers, EdgesOfTheSquareAreFinite) {
+  for_lobes(GetParam(), [](const Model& model, const Lobe& lobe, const UnitVector<double>& l, const std::string& what) {
+    const Direction direction = Direction::from_cosine(l.z, std::atan2(l.y, l.x) * 180 / pi<double>);
+    const PaperWarp<double> warp(model, lobe, direction, 1e-8);
+    const PaperWarp<Block> fast(model, lobe, direction, 1e-8);
+    for (const double u : {0.0, 1e-300, 1 - 0x1p-53, 1.0}) {
+      for (const double v : {0.0, 0.1, 0.35, 0.6, 0.85, 1.0}) {
+        const Sample<double> s = warp.point(u, v);
+        EXPECT_TRUE(std::isfinite(model.evaluate(lobe.component, s.pair) * s.weight)) << what << ", " << u << ", " << v;
+        const Sample<Block> block = fast.point(Block(u), Block(v));
+        const Block w = model.evaluate(lobe.component, block.pair) * block.weight;
+        EXPECT_TRUE(std::isfinite(w[0])) << what << ", " << u << ", " << v << " in a block";
+      }
+    }
+  });
+}
+
 /// What the lobe's sampling puts below the horizon weighs nothing, and is not asked of the formula.
 TEST(PaperWarp, NothingBelowTheHorizon) {
   const auto model = make_model("ward", {{"alpha", 0.5}});
