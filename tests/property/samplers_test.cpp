@@ -84,7 +84,8 @@ TEST_P(Samplers, SameInDoubleBlockAndQuad) {
   for_lobes(GetParam(), [](const Model& model, const Lobe& lobe, const UnitVector<double>& l, const std::string& what) {
     const UnitVector<Block> l_block{Block(l.x), Block(l.y), Block(l.z)};
     const UnitVector<Quad> l_quad{Quad(l.x), Quad(l.y), Quad(l.z)};
-    for (const auto& [u, v] : places()) {
+    for (const auto& place : places()) {
+      const double u = place[0], v = place[1];  // a lambda below captures them
       const Sampled<double> alone = model.sample(lobe.component, l, u, v);
       const Sampled<Block> block = model.sample(lobe.component, l_block, Block(u), Block(v));
       const Sampled<Quad> exact = model.sample(lobe.component, l_quad, Quad(u), Quad(v));
