@@ -5,6 +5,7 @@
 /// Start at albedo::make_model and albedo::directional_albedo; albedo::AlbedoCurve and albedo::AlbedoTable tabulate.
 
 #include "albedo/audit.hpp"
+#include "albedo/bounds.hpp"
 #include "albedo/combinators/coupled.hpp"
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"

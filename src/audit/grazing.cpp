@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "albedo/microfacet/sampling.hpp"
+#include "audit/parts.hpp"
 #include "core/integrand_of.hpp"
 
 namespace albedo {
@@ -148,7 +149,9 @@ Grazing grazing_behaviour(const Model& model, const GrazingOptions& options) {
   return {.limit = limit_law(model, options), .fit = fitted_law(model, options)};
 }
 
-Crossing critical_angle(const Model& model, const GrazingOptions& options) {
+Crossing critical_angle(const Model& model, const GrazingOptions& options) { return critical_angle(model, options, 0); }
+
+Crossing critical_angle(const Model& model, const GrazingOptions& options, double cosine_above) {
   const auto excess = [&](double minus_log) {
     return directional_albedo(model, toward(std::exp(-minus_log), options.phi_degrees),
                               albedo_options(options, Rule::gauss));
@@ -160,6 +163,10 @@ Crossing critical_angle(const Model& model, const GrazingOptions& options) {
   for (double x = grid.back(); x < farthest;) {
     x = std::min(x + (x < 30 ? 0.5 : 4), farthest);
     grid.push_back(x);
+  }
+  if (cosine_above > grazing_cosine) {
+    const double place = -std::log(cosine_above);
+    grid.insert(std::lower_bound(grid.begin(), grid.end(), place), place);
   }
   double before = 0;
   for (const double x : grid) {

@@ -50,12 +50,16 @@ inline bool conclude(Estimate& estimate, double mean, double standard_error, boo
 /// is infinite.
 struct Squares {
   double largest = 0, sum = 0;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  ///< of the values themselves
 
   void add(double value) {
     largest = std::max(largest, value * value);
     sum += value * value;
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
   }
   [[nodiscard]] bool dominated() const { return largest > sum / 20; }
+  [[nodiscard]] double range() const { return highest - lowest; }
 };
 
 /// Whether check(feature) holds for every feature of every panel.

@@ -112,7 +112,11 @@ Estimate sobol(const Integrand<double>& integrand, const RuleOptions& options) {
     estimate.evaluations = n * replicate_count * panels;
     const auto [mean, of_replicates] = statistics(values);
     // where all replicates meet an edge equally often by chance, half of the points didn't
-    const double standard_error = std::max(of_replicates, before / fastest);
+    double standard_error = std::max(of_replicates, before / fastest);
+    // where they all agree about an integrand that isn't constant, such as one that is 0 or 1: one point of all of them
+    if (of_replicates <= rounding_of(std::abs(mean))) {
+      standard_error = std::max(standard_error, squares.range() / static_cast<double>(n * replicate_count));
+    }
     before = of_replicates;
     const bool seen = every_feature(integrand, [n](const Feature& feature) {
       return static_cast<double>(n) * feature.width_u * feature.width_v >= widths_of_boxes;

@@ -98,7 +98,7 @@ TEST(TradeoffStudy, EndsALadderThatIsStuck) {
 
 TEST(TradeoffStudy, LeavesOutTheWarpThatAModelHasNoSamplerFor) {
   TradeoffRequest request = small_request();
-  request.materials = usual_materials("schlick");
+  request.materials = usual_materials("he_torrance");
   request.thetas = {0};
   request.rules = {Rule::gauss};
   const Tradeoff study = measure_tradeoff(request);

@@ -84,7 +84,8 @@ TEST_P(Samplers, SameInDoubleBlockAndQuad) {
   for_lobes(GetParam(), [](const Model& model, const Lobe& lobe, const UnitVector<double>& l, const std::string& what) {
     const UnitVector<Block> l_block{Block(l.x), Block(l.y), Block(l.z)};
     const UnitVector<Quad> l_quad{Quad(l.x), Quad(l.y), Quad(l.z)};
-    for (const auto& [u, v] : places()) {
+    for (const auto& place : places()) {
+      const double u = place[0], v = place[1];  // a lambda below captures them
       const Sampled<double> alone = model.sample(lobe.component, l, u, v);
       const Sampled<Block> block = model.sample(lobe.component, l_block, Block(u), Block(v));
       const Sampled<Quad> exact = model.sample(lobe.component, l_quad, Quad(u), Quad(v));
@@ -186,6 +187,95 @@ TEST(PaperWarp, WeightsAreThePapers) {
   }
 }
 
+/// What a model's weight f cosθ_V/density is in closed form, where its sampling takes a factor of the formula away.
+struct Weight {
+  std::string model;
+  Parameters parameters;
+  double (*expected)(const DirectionPair<double>&);
+};
+
+double schlick_weight(const DirectionPair<double>& d) {  // of r = 0.05, p = 0.3: nothing of Z or A is left
+  constexpr double r = 0.05, p = 0.3;
+  double a = 1, b = p;
+  for (int i = 0; i < 6; ++i) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b), a = mean;
+  }
+  return d.cos_theta_v * d.cos_theta_d * std::sqrt(p) /
+         (a * d.cos_theta_h * (r + (1 - r) * d.cos_theta_l) * (r + (1 - r) * d.cos_theta_v));
+}
+
+const std::vector<Weight>& weights() {
+  using D = DirectionPair<double>;
+  static const std::vector<Weight> all{
+      {"ward_duer",
+       {{"alpha_x", 0.3}, {"alpha_y", 0.1}, {"rho_s", 0.7}},
+       [](const D& d) { return 0.7 * d.cos_theta_d * std::pow(d.cos_theta_h, 3) / d.cos_theta_l; }},
+      {"ward_bounded",
+       {{"alpha_x", 0.3}, {"alpha_y", 0.1}, {"rho_s", 0.7}},
+       [](const D& d) { return 1.4 * d.cos_theta_v / (d.cos_theta_l + d.cos_theta_v); }},
+      {"ashikhmin_premoze",
+       {{"m", 0.6}},
+       [](const D& d) {
+         return d.cos_theta_d * d.cos_theta_v /
+                (d.cos_theta_h * (d.cos_theta_l + d.cos_theta_v - d.cos_theta_l * d.cos_theta_v));
+       }},
+      {"neumann_stretched",
+       {{"n", 3.0}, {"q", 0.4}},
+       [](const D& d) { return 1.25 * d.cos_theta_v / std::pow(std::max(d.cos_theta_l, d.cos_theta_v), 0.4); }},
+      {"schlick", {{"r", 0.05}, {"p", 0.3}}, schlick_weight},
+      {"lambert", {{"rho", 0.3}}, [](const D&) { return 0.3; }},
+      {"oren_nayar", {{"sigma", 0.0}, {"rho", 0.3}}, [](const D&) { return 0.3; }},
+      {"edwards", {{"n", 1.0}}, [](const D&) { return 1.0; }},
+      {"edwards", {{"n", 1e8}, {"radius", 1e-3}}, [](const D&) { return 1.0; }},
+  };
+  return all;
+}
+
+TEST(PaperWarp, WeightsHaveTheirClosedForms) {
+  std::vector<std::array<double, 2>> points = places();
+  for (const double v : {0.02, 0.25, 0.3, 0.5, 0.9}) points.push_back({1 - 0x1p-53, v});  // the rim of a lump
+  for (const Weight& w : weights()) {
+    const auto model = make_model(w.model, w.parameters);
+    int above = 0;
+    for (const double theta : {0.0, 50.0, 89.9}) {
+      const UnitVector<double> l = unit_vector<double>(Direction::from_degrees(theta, 20));
+      for (const auto& [u, v] : points) {
+        const Sampled<double> drawn = model->sample(0, l, u, v);
+        if (drawn.pair.cos_theta_v <= 0) continue;
+        ++above;
+        const double weight = model->evaluate(0, drawn.pair) * drawn.pair.cos_theta_v / drawn.density;
+        const double expected = w.expected(drawn.pair);
+        EXPECT_NEAR(weight, expected, 2e-12 * expected) << w.model << ", theta " << theta << ", u " << u << ", v " << v;
+      }
+    }
+    EXPECT_GT(above, 50) << w.model;
+  }
+}
+
+/// Every point of Edwards's disk that is a V above the surface weighs 1, the others nothing: the mean is the part of
+/// the lump that is on the disk.
+TEST(PaperWarp, EdwardsWeighsOneOrNothing) {
+  for (const double theta : {0.0, 40.0, 89.9}) {
+    const auto model = make_model("edwards", {{"n", 3.0}, {"radius", 0.8}});
+    const Direction l = Direction::from_degrees(theta, 20);
+    const PaperWarp<double> warp(*model, model->lobes().front(), l, 1e-8);
+    int above = 0;
+    constexpr int side = 200;
+    for (int i = 0; i < side * side; ++i) {
+      const Sample<double> s = warp.point((i / side + 0.5) / side, (i % side + 0.5) / side);
+      const double w = model->evaluate(0, s.pair) * s.weight;
+      EXPECT_TRUE(w == 0 || std::abs(w - 1) < 1e-12) << w;
+      above += w > 0 ? 1 : 0;
+    }
+    const Estimate truth = directional_albedo(*model, l, {.tolerance = 1e-6});
+    EXPECT_NEAR(above / double(side * side), truth.value, 2.0 / side + truth.error) << theta;
+    if (theta == 0) {
+      EXPECT_EQ(above, side * side);
+    }
+  }
+}
+
 /// A lobe of its own making, without a sampler.
 struct Plain {
   double rho = 1;
@@ -214,6 +304,24 @@ TEST(PaperWarp, RefusesAModelWithoutASampler) {
   } catch (const ParameterError& error) {
     EXPECT_NE(std::string(error.what()).find("plain has no sampler"), std::string::npos) << error.what();
   }
+}
+
+/// Where a rule's last cells round to the square's edges, weights are numbers still.
+TEST_P(Samplers, EdgesOfTheSquareAreFinite) {
+  for_lobes(GetParam(), [](const Model& model, const Lobe& lobe, const UnitVector<double>& l, const std::string& what) {
+    const Direction direction = Direction::from_cosine(l.z, std::atan2(l.y, l.x) * 180 / pi<double>);
+    const PaperWarp<double> warp(model, lobe, direction, 1e-8);
+    const PaperWarp<Block> fast(model, lobe, direction, 1e-8);
+    for (const double u : {0.0, 1e-300, 1 - 0x1p-53, 1.0}) {
+      for (const double v : {0.0, 0.1, 0.35, 0.6, 0.85, 1.0}) {
+        const Sample<double> s = warp.point(u, v);
+        EXPECT_TRUE(std::isfinite(model.evaluate(lobe.component, s.pair) * s.weight)) << what << ", " << u << ", " << v;
+        const Sample<Block> block = fast.point(Block(u), Block(v));
+        const Block w = model.evaluate(lobe.component, block.pair) * block.weight;
+        EXPECT_TRUE(std::isfinite(w[0])) << what << ", " << u << ", " << v << " in a block";
+      }
+    }
+  });
 }
 
 /// What the lobe's sampling puts below the horizon weighs nothing, and is not asked of the formula.

@@ -89,6 +89,20 @@ TEST(RandomRules, SeedsDifferAndTheSameSeedRepeats) {
   }
 }
 
+/// Replicates of few points all count the same of what is 0 or 1: that they agree is no proof.
+TEST(RandomRules, StepsAreNotBelievedBecauseReplicatesAgree) {
+  for (const NamedRule& rule : rules()) {
+    if (!rule.random) continue;
+    for (const double edge : {0.0606, 0.37, 0.5, 0.777, 0.95}) {
+      const Formula<double> step([edge](int, double u, double) { return u < edge ? 1.0 : 0.0; });
+      for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+        const Estimate e = rule.rule(step, {.tolerance = 1e-3, .budget = 16 * 2048, .seed = seed});
+        EXPECT_LE(std::abs(e.value - edge), 5 * e.error) << rule.name << ", edge " << edge << ", seed " << seed;
+      }
+    }
+  }
+}
+
 /// A constant has no variance: what is left is the counting.
 TEST(RandomRules, ConstantsAreExact) {
   const auto integrand = formula(integrands()[0]);

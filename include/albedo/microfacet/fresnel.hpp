@@ -28,7 +28,8 @@ struct Fresnel {
       case FresnelKind::none:
         return T(1);
       case FresnelKind::schlick:
-        return T(f0) + T(1 - f0) * fifth_power(T(1 - cos_theta_d));
+        // a cosine that rounding has put above 1 is no negative reflectance
+        return T(f0) + T(1 - f0) * fifth_power(max(T(1 - cos_theta_d), T(0)));
       case FresnelKind::conductor:
         break;
     }

@@ -145,6 +145,22 @@ Sampled<T> sample_power(const UnitVector<T>& l, double n_u, double n_v, const T&
   return {pair, power_density(pair, n_u, n_v)};
 }
 
+/// GGX's half vectors, p_H = D cosθ_H.
+template <class T>
+T ggx_density(const DirectionPair<T>& d, double alpha_x, double alpha_y) {
+  return ggx_distribution(d, alpha_x, alpha_y) * d.cos_theta_h / (4 * d.cos_theta_d);
+}
+
+/// tan²θ_H(cos²φ_H/α_x² + sin²φ_H/α_y²) = u/(1 − u)   [Walter et al. 2007, eqs. 35, 36]
+template <class T>
+Sampled<T> sample_ggx(const UnitVector<T>& l, double alpha_x, double alpha_y, const T& u, const T& v) {
+  using std::cos;
+  using std::sin;
+  const T r = sqrt(u / (1 - u)), phi = 2 * pi<T> * v;
+  const DirectionPair<T> pair = reflected(l, T(T(alpha_x) * r * cos(phi)), T(T(alpha_y) * r * sin(phi)));
+  return {pair, ggx_density(pair, alpha_x, alpha_y)};
+}
+
 /// GGX's visible half vectors, p_H = G₁(L) (L·H)₊ D/(N·L): the density of V is D/(2(N·L + s_L)), s_L the stretched
 /// length of L   [Heitz 2018]
 template <class T>

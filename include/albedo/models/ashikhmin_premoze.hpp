@@ -5,6 +5,7 @@
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -47,6 +48,16 @@ struct AshikhminPremoze {
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     return fresnel(d.cos_theta_d) * albedo::beckmann(d, m, m) /
            (4 * (d.cos_theta_l + d.cos_theta_v - d.cos_theta_l * d.cos_theta_v));
+  }
+
+  /// Half vectors of density D N·H.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_beckmann(l, m, m, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return beckmann_density(half_vector_pair(l, v), m, m);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "albedo/microfacet/distribution.hpp"
 #include "albedo/microfacet/fresnel.hpp"
 #include "albedo/microfacet/masking.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -52,6 +53,16 @@ struct Beckmann {
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     return fresnel(d.cos_theta_d) * albedo::beckmann(d, alpha_x, alpha_y) *
            beckmann_visibility(d, alpha_x, alpha_y, masking);
+  }
+
+  /// Half vectors of density D N·H   [Walter et al. 2007, eqs. 28, 29].
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_beckmann(l, alpha_x, alpha_y, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return beckmann_density(half_vector_pair(l, v), alpha_x, alpha_y);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -38,11 +39,31 @@ struct Edwards {
 
   template <class T>
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
+    return viewer_density(d) / d.cos_theta_v;
+  }
+
+  /// p(u) |∂u/∂V| = p(u) (N·L)²/(4 L·H (N·H)³), with which the paper draws V: f N·V, so that every V weighs 1.
+  template <class T>
+  T viewer_density(const DirectionPair<T>& d) const noexcept {
     const T from_centre2 = square(T(d.cos_theta_l / T(radius))) * (square(d.slope_x) + square(d.slope_y));
     const T lump = exp(T(n) * log1p(-min(from_centre2, T(1 - 1e-15))));
     const T density = T((n + 1) / (radius * radius)) / pi<T> * select(from_centre2 < T(1.0), lump, T(0.0));
-    return density * square(d.cos_theta_l) /
-           (4 * d.cos_theta_v * d.cos_theta_d * d.cos_theta_h * square(d.cos_theta_h));
+    return density * square(d.cos_theta_l) / (4 * d.cos_theta_d * d.cos_theta_h * square(d.cos_theta_h));
+  }
+
+  /// A point of the lump, whose distance from its centre is R √(1 − (1 − u)^(1/(n+1))), and the V it stands for. A
+  /// point beyond the rim of the unit disk is a V below the horizon.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    using std::cos;
+    using std::sin;
+    const T slope = T(radius) * sqrt(-expm1(T(log1p(-u) / T(n + 1)))) / l.z, phi = 2 * pi<T> * v;
+    const DirectionPair<T> pair = reflected(l, T(slope * cos(phi)), T(slope * sin(phi)));
+    return {pair, viewer_density(pair)};
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return viewer_density(half_vector_pair(l, v));
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
@@ -48,7 +49,12 @@ struct Lafortune {
     const T shortfall = T((c_x - c) * (c_x + c) / (c * c)) * square(d.l_x) +
                         T((c_y - c) * (c_y + c) / (c * c)) * square(d.l_y) +
                         T((c_z - c) * (c_z + c) / (c * c)) * square(d.cos_theta_l);
-    return T(rho * (n + 2)) / (2 * pi<T>)*axis_power(d, n) * exp(T(n / 2) * log1p(shortfall));
+    // where little is left of |A|², it is a sum without cancellation itself
+    const T left =
+        square(T(T(c_x / c) * d.l_x)) + square(T(T(c_y / c) * d.l_y)) + square(T(T(c_z / c) * d.cos_theta_l));
+    const T half(-0.5), tiny(std::numeric_limits<Scalar<T>>::min());
+    const T log_length2 = select(shortfall > half, log1p(max(shortfall, half)), log(max(left, tiny)));
+    return T(rho * (n + 2)) / (2 * pi<T>)*axis_power(d, n) * exp(T(n / 2) * log_length2);
   }
 
   /// Directions of density (n+1)/(2π) (A·V)₊^n about the normalised axis.

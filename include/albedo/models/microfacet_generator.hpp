@@ -7,6 +7,7 @@
 #include "albedo/microfacet/fresnel.hpp"
 #include "albedo/microfacet/masking.hpp"
 #include "albedo/microfacet/power_area.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -95,6 +96,25 @@ struct MicrofacetGenerator {
         break;
     }
     return (*power_area)(z);
+  }
+
+  /// Half vectors of density D N·H.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    switch (distribution) {
+      case Distribution::ggx:
+        return sample_ggx(l, alpha, alpha, u, v);
+      case Distribution::beckmann:
+        return sample_beckmann(l, alpha, alpha, u, v);
+      case Distribution::power:
+        break;
+    }
+    return sample_power(l, exponent() + 1, exponent() + 1, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    const DirectionPair<T> d = half_vector_pair(l, v);
+    return facet_distribution(d) * d.cos_theta_h / (4 * d.cos_theta_d);
   }
 };
 

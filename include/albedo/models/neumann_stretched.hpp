@@ -2,6 +2,7 @@
 
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -39,6 +40,16 @@ struct NeumannStretched {
   template <class T>
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     return T(n + 2) / (2 * pi<T>)*axis_power(d, n) * exp(T(-q) * log(T(max(d.cos_theta_l, d.cos_theta_v))));
+  }
+
+  /// Directions of density (n+1)/(2π) (R·V)₊^n, of weight (n+2)/(n+1) N·V/max(N·L, N·V)^q.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_axis(l, sampling_axis(l, -1, -1, 1), n, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return axis_density(sampling_axis(l, -1, -1, 1), n, v);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -40,6 +41,16 @@ struct OrenNayar {
   T evaluate(int component, const DirectionPair<T>& d) const noexcept {
     if (component == 0) return T(rho * level()) / pi<T>;
     return T(rho * slope()) / pi<T> * max(T(d.l_x * d.v_x + d.l_y * d.v_y), T(0.0)) / max(d.cos_theta_l, d.cos_theta_v);
+  }
+
+  /// Cosine-weighted directions.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_cosine(l, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>&, const UnitVector<T>& v) const noexcept {
+    return cosine_density(v);
   }
 };
 

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/elliptic_azimuth.hpp"
 #include "albedo/microfacet/fresnel.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -61,22 +63,53 @@ struct Schlick {
   /// Z A/π
   template <class T>
   T facet_distribution(const DirectionPair<T>& d) const noexcept {
-    const T tan2 = tan2_theta_h(d);
-    const T z = T(r) / square(T(square(d.cos_theta_h) * (T(r) + tan2)));
-    // A with w² = slope_x²/tan²θ_H; at H = N, where the azimuth has no value, that of w = 1
-    const T tiny = T(1e-30);
-    const T a = sqrt(T(p) * max(tan2, tiny) / max(T(square(d.slope_x) + square(T(T(p) * d.slope_y))), tiny));
-    return z * a / pi<T>;
+    return zenith(d) * azimuthal(d) / pi<T>;
   }
   template <class T>
   T facet_masking(const DirectionPair<T>& d) const noexcept {
     return d.cos_theta_l / obstruction(d.cos_theta_l);
   }
 
+  /// Z(N·H)
+  template <class T>
+  T zenith(const DirectionPair<T>& d) const noexcept {
+    return T(r) / square(T(square(d.cos_theta_h) * (T(r) + tan2_theta_h(d))));
+  }
+
+  /// A(w) with w² = slope_x²/tan²θ_H; at H = N, where the azimuth has no value, that of w = 1
+  template <class T>
+  T azimuthal(const DirectionPair<T>& d) const noexcept {
+    const T tiny = T(1e-30);
+    return sqrt(T(p) * max(tan2_theta_h(d), tiny) / max(T(square(d.slope_x) + square(T(T(p) * d.slope_y))), tiny));
+  }
+
   /// c/G(c)
   template <class T>
   T obstruction(const T& cosine) const noexcept {
     return T(r) + T(1 - r) * cosine;
+  }
+
+  /// Half vectors of density Z N·H A/(π mean A). With 1 − u for the paper's u its t² = u/(r − r u + u) is tan²θ_H =
+  /// r u/(1 − u). A is inverted exactly: the paper's w = cos(π/2 √(p² v²/(1 − v² + p² v²))) has an azimuth x = 2φ/π of
+  /// density ∝ (p² + (1 − p²) x²)^(−3/2), which is no power of A.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    using std::cos;
+    using std::sin;
+    const T slope = sqrt(T(r) * u / (1 - u)), phi = EllipticAzimuth<T>(p)(v);
+    const DirectionPair<T> pair = reflected(l, T(slope * cos(phi)), T(slope * sin(phi)));
+    return {pair, viewer_density(pair)};
+  }
+  template <class T>
+  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    return viewer_density(half_vector_pair(l, v));
+  }
+
+ private:
+  template <class T>
+  T viewer_density(const DirectionPair<T>& d) const noexcept {
+    const T mean = sqrt(T(p)) / T(EllipticAzimuth<T>(p).mean());
+    return zenith(d) * d.cos_theta_h * azimuthal(d) / (4 * pi<T> * mean * d.cos_theta_d);
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "albedo/core/parameter.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -38,6 +39,16 @@ struct ShirleyMatte {
   template <class T>
   static T rise(const T& x) noexcept {
     return x * (5 + x * (-10 + x * (10 + x * (-5 + x))));
+  }
+
+  /// Cosine-weighted directions.
+  template <class T>
+  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    return sample_cosine(l, u, v);
+  }
+  template <class T>
+  T density(int, const UnitVector<T>&, const UnitVector<T>& v) const noexcept {
+    return cosine_density(v);
   }
 };
 

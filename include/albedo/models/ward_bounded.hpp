@@ -2,6 +2,7 @@
 
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -51,6 +52,18 @@ struct WardBounded {
   T evaluate(int component, const DirectionPair<T>& d) const noexcept {
     if (component == 1) return T(rho_d) / pi<T>;
     return T(rho_s) * beckmann(d, alpha_x, alpha_y) / (4 * square(d.cos_theta_d));
+  }
+
+  /// Ward's half vectors, of weight 2 ρ_s N·V/(N·L + N·V) ≤ 2 ρ_s; the Lambertian part: cosine-weighted.
+  template <class T>
+  Sampled<T> sample(int component, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    if (component == 1) return sample_cosine(l, u, v);
+    return sample_beckmann(l, alpha_x, alpha_y, u, v);
+  }
+  template <class T>
+  T density(int component, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    if (component == 1) return cosine_density(v);
+    return beckmann_density(half_vector_pair(l, v), alpha_x, alpha_y);
   }
 };
 

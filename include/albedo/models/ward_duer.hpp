@@ -2,6 +2,7 @@
 
 #include "albedo/core/parameter.hpp"
 #include "albedo/microfacet/distribution.hpp"
+#include "albedo/microfacet/sampling.hpp"
 
 namespace albedo {
 
@@ -49,6 +50,18 @@ struct WardDuer {
     if (component == 1) return T(rho_d) / pi<T>;
     return T(rho_s) * exp(-scaled_slope2(d, alpha_x, alpha_y)) /
            (4 * pi<T> * T(alpha_x) * T(alpha_y) * d.cos_theta_l * d.cos_theta_v);
+  }
+
+  /// Ward's half vectors, of weight ρ_s L·H (N·H)³/N·L; the Lambertian part: cosine-weighted.
+  template <class T>
+  Sampled<T> sample(int component, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+    if (component == 1) return sample_cosine(l, u, v);
+    return sample_beckmann(l, alpha_x, alpha_y, u, v);
+  }
+  template <class T>
+  T density(int component, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+    if (component == 1) return cosine_density(v);
+    return beckmann_density(half_vector_pair(l, v), alpha_x, alpha_y);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,10 @@ class PaperWarp {
       if (lobe.shape != LobeShape::cosine) {
         panel.tracked = lobe.horizon_exponent >= 0;
         look_at_tail(tolerance, panel);
+      } else if (lobe.kink_equal_cosines) {
+        constexpr double least_cosine = 0.1;  // w grows like tanθ_V up to θ_L: like 1/√(1 − u), and then ends
+        panel.tracked = l.cos_theta >= least_cosine;
+        panel.edged = panel.layered = true;
       }
       panels_.push_back(std::move(panel));
     } else {
@@ -49,7 +54,9 @@ class PaperWarp {
   [[nodiscard]] double truncation() const { return truncation_; }
 
   [[nodiscard]] Sample<T> point(const T& u, const T& v) const {
-    const Sampled<T> drawn = model_.sample(component_, l_, u, T(v + turn_));
+    // samplers are of (0, 1): where a rule's narrowest cells round to u = 1, densities are 0 or slopes infinite
+    const T last(1 - std::numeric_limits<S>::epsilon() / 2);
+    const Sampled<T> drawn = model_.sample(component_, l_, min(u, last), T(v + turn_));
     const DirectionPair<T>& d = drawn.pair;
     const auto above = d.cos_theta_v > T(0);
     const auto or_else = [&above](const T& value, const T& elsewhere) { return select(above, value, elsewhere); };
@@ -66,8 +73,11 @@ class PaperWarp {
   /// and 5/6 it stays away from the places where rules divide, halves or fifths of intervals.
   static double turn_of(const Lobe& lobe, const Direction& l) {
     const bool slopes =
-        lobe.shape == LobeShape::half_vector && lobe.profile != Profile::ggx;  // v is an azimuth of slopes
-    const double azimuth = slopes ? std::atan2(lobe.width_y * l.sin_phi, lobe.width_x * l.cos_phi) : 0;
+        lobe.shape == LobeShape::half_vector && lobe.profile != Profile::ggx;        // v is an azimuth of slopes
+    const bool kinked = lobe.shape == LobeShape::cosine && lobe.kink_equal_cosines;  // at a quarter turn from L, too
+    const double azimuth = slopes   ? std::atan2(lobe.width_y * l.sin_phi, lobe.width_x * l.cos_phi)
+                           : kinked ? std::atan2(l.sin_phi, l.cos_phi)
+                                    : 0;
     return azimuth / (2 * pi<double>)-1.0 / 12;
   }
 
@@ -104,7 +114,8 @@ class PaperWarp {
       const auto begin = change.begin() + sector * per_sector;
       const auto largest = std::max_element(begin, begin + per_sector);
       if (*largest <= part * tolerance * sum) {
-        truncation_ += 4 * *largest / (sectors * sum);  // a sum over depths, and between the rays
+        // a sum over depths, and between the rays; nothing where all of the tail is below the horizon
+        if (*largest > 0) truncation_ += 4 * *largest / (sectors * sum);
       } else {
         const int depth = first_depth + static_cast<int>((largest - begin) % (last_depth - first_depth + 1));
         const double tail = std::ldexp(1.0, 1 - depth);
