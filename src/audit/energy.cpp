@@ -145,9 +145,9 @@ EnergyAudit audit_energy(const Model& model, const AlbedoOptions& options) {
     std::vector<double> all = azimuths;
     if (std::find(all.begin(), all.end(), energy.phi_degrees) == all.end()) all.push_back(energy.phi_degrees);
     for (const double phi : all) {
-      const double above = phi == energy.phi_degrees ? Direction::from_degrees(energy.theta_degrees).cos_theta : 0;
+      const double place = phi == energy.phi_degrees ? Direction::from_degrees(energy.theta_degrees).cos_theta : 0;
       const Crossing crossing =
-          critical_angle(model, {.phi_degrees = phi, .tolerance = options.tolerance, .budget = options.budget}, above);
+          critical_angle(model, {.phi_degrees = phi, .tolerance = options.tolerance, .budget = options.budget}, place);
       if (!crossing.exists || (energy.critical && energy.critical->cos_theta >= crossing.cos_theta)) continue;
       energy.critical = crossing;
       energy.critical_phi_degrees = phi;
