@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -28,6 +29,7 @@ struct Arguments {
   std::vector<Check> checks;
   ComputeOptions options;
   std::string output;
+  bool markdown = false;
 };
 
 /// What a table that isn't smooth is integrated with where nothing else is asked for.
@@ -52,19 +54,21 @@ std::vector<AuditCase> cases_of(const Arguments& arguments) {
     const std::vector<std::string> channels = channels_of(materials);
     for (const Material& material : materials) {
       for (std::size_t i = 0; i < channels.size(); ++i) {
-        cases.push_back(
-            {material.name, channels.size() > 1 ? channels[i] : "", make_material(material, i, file), {}, {}});
+        cases.push_back({.list = std::filesystem::path(file).stem().string(),
+                         .name = material.name,
+                         .channel = channels.size() > 1 ? channels[i] : "",
+                         .model = make_material(material, i, file)});
       }
     }
   }
   if (!is_list && arguments.model.model.empty()) {
     for (const ModelInfo& info : model_infos()) {
-      if (!info.needs_input()) cases.push_back({"", "", make_model(info.name), {}, {}});
+      if (!info.needs_input()) cases.push_back({.model = make_model(info.name)});
     }
   }
   if (!arguments.model.model.empty()) {
     for (const std::string& channel : arguments.model.channels()) {
-      cases.push_back({"", channel, arguments.model.make(channel), {}, {}});
+      cases.push_back({.channel = channel, .model = arguments.model.make(channel)});
     }
   }
   std::vector<Check> checks = arguments.checks;
@@ -124,14 +128,14 @@ int run(const Arguments& arguments, const std::string& command_line) {
   if (arguments.options.json) {
     std::cout << json_text(object) << '\n';
   } else if (!arguments.materials.empty()) {
-    if (arguments.output.empty()) {
-      print_rows(std::cout, cases);
+    if (arguments.output.empty() && !arguments.markdown) {
+      print_rows(std::cout, cases, arguments.markdown);
       std::cout << '\n';
     }
-    if (arguments.output != "-") print_summaries(std::cout, summaries_of(cases));
+    if (arguments.output != "-") print_summaries(std::cout, summaries_of(cases), arguments.markdown);
   } else if (arguments.output != "-") {
     if (arguments.model.model.empty()) {
-      print_rows(std::cout, cases);
+      print_rows(std::cout, cases, arguments.markdown);
     } else {
       for (const AuditCase& one : cases) print_checks(std::cout, one);
     }
@@ -152,6 +156,8 @@ Command add_audit(CLI::App& program) {
   add_choices(*app, "--checks", all_checks, arguments->checks,
               "beside the energy; default: all, for --materials reciprocity,average");
   app->add_option("-o,--output", arguments->output, "a .csv or .json with every audit")->type_name("FILE");
+  app->add_flag("--markdown", arguments->markdown,
+                "print the table of models, or that of lists, for a text in Markdown");
   add_compute_options(*app, arguments->options);
   app->footer(
       "Without MODEL all models are audited, with their default parameters.\n"

@@ -111,6 +111,20 @@ std::vector<Line> lines_of(const AuditCase& one) {
   return lines;
 }
 
+void print(std::ostream& out, const std::vector<std::vector<std::string>>& rows, bool markdown) {
+  if (!markdown) {
+    print_columns(out, rows);
+    return;
+  }
+  for (const auto& row : rows) {
+    out << "| " << joined(row, " | ") << " |\n";
+    if (&row != &rows.front()) continue;
+    out << '|';
+    for (std::size_t i = 0; i < row.size(); ++i) out << "---|";
+    out << '\n';
+  }
+}
+
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');
   return text;
@@ -184,7 +198,7 @@ void print_checks(std::ostream& out, const AuditCase& one) {
   }
 }
 
-void print_rows(std::ostream& out, const std::vector<AuditCase>& cases) {
+void print_rows(std::ostream& out, const std::vector<AuditCase>& cases, bool markdown) {
   std::vector<std::vector<std::string>> rows{{"model", "verdict", "largest", "error", "at", "passes 1 at"}};
   const AuditOptions& options = cases.front().options;
   const bool named = std::ranges::any_of(cases, [](const AuditCase& one) { return !one.name.empty(); });
@@ -218,25 +232,27 @@ void print_rows(std::ostream& out, const std::vector<AuditCase>& cases) {
     if (options.samplers) row.push_back(word(audit.sampler_verdict()));
     if (options.average) row.push_back(short_text(audit.average.albedo.value));
   }
-  print_columns(out, rows);
+  print(out, rows, markdown);
 }
 
-void print_summaries(std::ostream& out, const std::vector<AuditSummary>& summaries) {
-  std::vector<std::vector<std::string>> rows{{"model", "materials", "create energy", "unbounded", "largest finite",
-                                              "material", "first passes 1 at", "material", "failed", "undecided"}};
+void print_summaries(std::ostream& out, const std::vector<AuditSummary>& summaries, bool markdown) {
+  std::vector<std::vector<std::string>> rows{{"list", "model", "materials", "create energy", "unbounded",
+                                              "largest finite", "of", "first passes 1 at", "of", "failed",
+                                              "undecided"}};
   for (const AuditSummary& one : summaries) {
-    const bool any = one.creating_energy > 0;
-    rows.push_back({one.model, std::to_string(one.materials), std::to_string(one.creating_energy),
-                    std::to_string(one.unbounded), short_text(one.largest), one.largest_name,
-                    any ? short_text(one.earliest_degrees) : "-", any ? one.earliest_name : "-",
-                    std::to_string(one.failed), std::to_string(one.undecided)});
+    const bool any = !one.earliest_name.empty(), has_finite = one.largest >= 0;
+    rows.push_back({one.list, one.model, std::to_string(one.materials), std::to_string(one.creating_energy),
+                    std::to_string(one.unbounded), has_finite ? short_text(one.largest) : "-",
+                    has_finite ? one.largest_name : "-", any ? short_text(one.earliest_degrees) : "-",
+                    any ? one.earliest_name : "-", std::to_string(one.failed), std::to_string(one.undecided)});
   }
-  print_columns(out, rows);
+  print(out, rows, markdown);
 }
 
 Json audit_json(const AuditCase& one) {
   const Audit& audit = one.audit;
   Json object = Json::object();
+  if (!one.list.empty()) object["list"] = one.list;
   if (!one.name.empty()) object["name"] = one.name;
   if (!one.channel.empty()) object["channel"] = one.channel;
   object.update(model_json(*one.model, false));
@@ -278,14 +294,14 @@ Json audit_json(const AuditCase& one) {
 
 void write_csv(const Json& provenance, const std::vector<AuditCase>& cases, std::ostream& out) {
   write_provenance(provenance, out);
-  out << "material,channel,model,parameters,verdict,largest,error,status,theta_deg,phi_deg,passes_1_theta_deg,"
+  out << "list,material,channel,model,parameters,verdict,largest,error,status,theta_deg,phi_deg,passes_1_theta_deg,"
          "passes_1_cos_theta,exponent,constant,asymmetry,average\n";
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const AuditCase& one : cases) {
     const Audit& audit = one.audit;
     const EnergyAudit& energy = audit.energy;
-    out << csv_field(one.name) << ',' << one.channel << ',' << one.model->info().name << ','
-        << csv_field(parameters_text(one.model->parameters())) << ',' << to_string(audit.verdict()) << ','
+    out << csv_field(one.list) << ',' << csv_field(one.name) << ',' << one.channel << ',' << one.model->info().name
+        << ',' << csv_field(parameters_text(one.model->parameters())) << ',' << to_string(audit.verdict()) << ','
         << number_text(energy.largest.value) << ',' << number_text(energy.largest.error) << ','
         << to_string(energy.largest.status) << ',' << number_text(energy.theta_degrees) << ','
         << number_text(energy.phi_degrees) << ',' << number_text(critical_degrees(energy)) << ','

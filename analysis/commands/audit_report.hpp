@@ -13,11 +13,12 @@ namespace albedo::analysis {
 /// Every check of one model with what was found.
 void print_checks(std::ostream& out, const AuditCase& one);
 
-/// One row a case.
-void print_rows(std::ostream& out, const std::vector<AuditCase>& cases);
+/// One row a case, in Markdown or as columns.
+void print_rows(std::ostream& out, const std::vector<AuditCase>& cases, bool markdown);
 
-/// One row a model: how many of its materials create energy, by how much, beyond which angle.
-void print_summaries(std::ostream& out, const std::vector<AuditSummary>& summaries);
+/// One row a list and model: how many of its materials create energy, by how much, beyond which angle. In Markdown or
+/// as columns.
+void print_summaries(std::ostream& out, const std::vector<AuditSummary>& summaries, bool markdown);
 
 nlohmann::ordered_json audit_json(const AuditCase& one);
 

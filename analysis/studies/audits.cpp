@@ -46,34 +46,43 @@ bool creates_energy(const Audit& audit) {
 }
 
 std::vector<AuditSummary> summaries_of(const std::vector<AuditCase>& cases) {
+  struct Names {
+    std::set<std::string> all, creating, unbounded, failed, undecided;
+  };
   std::vector<AuditSummary> summaries;
-  std::vector<std::set<std::string>> seen, creating, unbounded;
+  std::vector<Names> names;
   for (const AuditCase& one : cases) {
     const std::string& model = one.model->info().name;
-    auto found = std::ranges::find(summaries, model, &AuditSummary::model);
-    if (found == summaries.end()) {
-      summaries.push_back({.model = model});
-      found = summaries.end() - 1;
-      seen.emplace_back(), creating.emplace_back(), unbounded.emplace_back();
-    }
+    const auto found = std::ranges::find_if(
+        summaries, [&](const AuditSummary& summary) { return summary.list == one.list && summary.model == model; });
     const auto index = static_cast<std::size_t>(found - summaries.begin());
+    if (found == summaries.end()) {
+      summaries.push_back({.list = one.list, .model = model});
+      names.emplace_back();
+    }
+    AuditSummary& summary = summaries[index];
+    Names& of = names[index];
     const EnergyAudit& energy = one.audit.energy;
-    seen[index].insert(one.name);
-    if (one.audit.verdict() == Verdict::fails) ++found->failed;
-    if (one.audit.verdict() == Verdict::undecided) ++found->undecided;
-    const double finite = std::isinf(energy.largest.value) ? 0 : energy.largest.value;
-    if (finite > found->largest) found->largest = finite, found->largest_name = one.name;
+    of.all.insert(one.name);
+    if (one.audit.verdict() == Verdict::fails) of.failed.insert(one.name);
+    if (one.audit.verdict() == Verdict::undecided) of.undecided.insert(one.name);
+    if (std::isinf(energy.largest.value)) {
+      of.unbounded.insert(one.name);
+    } else if (energy.largest.value > summary.largest) {
+      summary.largest = energy.largest.value, summary.largest_name = one.name;
+    }
     if (!creates_energy(one.audit)) continue;
-    creating[index].insert(one.name);
-    if (std::isinf(energy.largest.value)) unbounded[index].insert(one.name);
+    of.creating.insert(one.name);
     if (!energy.critical) continue;
     const double angle = Direction::from_cosine(energy.critical->cos_theta).theta_degrees();
-    if (angle < found->earliest_degrees) found->earliest_degrees = angle, found->earliest_name = one.name;
+    if (angle < summary.earliest_degrees) summary.earliest_degrees = angle, summary.earliest_name = one.name;
   }
   for (std::size_t i = 0; i < summaries.size(); ++i) {
-    summaries[i].materials = seen[i].size();
-    summaries[i].creating_energy = creating[i].size();
-    summaries[i].unbounded = unbounded[i].size();
+    summaries[i].materials = names[i].all.size();
+    summaries[i].creating_energy = names[i].creating.size();
+    summaries[i].unbounded = names[i].unbounded.size();
+    summaries[i].failed = names[i].failed.size();
+    summaries[i].undecided = names[i].undecided.size();
   }
   return summaries;
 }

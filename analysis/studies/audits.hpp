@@ -22,11 +22,12 @@ inline constexpr std::array all_checks{Check::grazing, Check::reciprocity, Check
 std::string name_of(Check check);
 
 struct AuditCase {
-  std::string name;     ///< of the material, or empty
-  std::string channel;  ///< or empty
-  std::unique_ptr<Model> model;
-  AuditOptions options;
-  Audit audit;
+  std::string list{};     ///< of materials, or empty
+  std::string name{};     ///< of the material, or empty
+  std::string channel{};  ///< or empty
+  std::unique_ptr<Model> model{};
+  AuditOptions options{};
+  Audit audit{};
 };
 
 /// The options with only these checks.
@@ -35,12 +36,13 @@ AuditOptions audit_options(const AlbedoOptions& albedo, const std::vector<Check>
 /// Audits all cases, with the same bits for any number of threads.
 void run_audits(std::vector<AuditCase>& cases, int threads, const ProgressCallback& progress = {});
 
-/// What the audits of one model's materials found together.
+/// What the audits of one list's materials of one model found together. A material counts once, whatever its channels.
 struct AuditSummary {
-  std::string model;
-  std::size_t materials = 0, creating_energy = 0;  ///< a material counts once, whatever its channels
-  std::size_t unbounded = 0;                       ///< of those that create energy
-  double largest = 0;                              ///< finite albedo
+  std::string list{};
+  std::string model{};
+  std::size_t materials = 0, creating_energy = 0;
+  std::size_t unbounded = 0;  ///< of those that create energy
+  double largest = -1;        ///< finite albedo, if there is one
   std::string largest_name{};
   double earliest_degrees = 90;  ///< angle at which one first passes 1
   std::string earliest_name{};

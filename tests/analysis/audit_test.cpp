@@ -61,7 +61,10 @@ TEST(AuditCommand, ScaleAndLambertianPartOfMaterials) {
     EXPECT_EQ(model->info().name, "phong");
     EXPECT_NEAR(directional_albedo(*model, l).value, expected[channel], 1e-7);
     EXPECT_NEAR(directional_albedo(*make_material(materials[1], channel, "text"), l).value, alone, 1e-7);
-    cases.push_back({"both", std::to_string(channel), std::move(model), audit_options({}, {}), {}});
+    cases.push_back({.name = "both",
+                     .channel = std::to_string(channel),
+                     .model = std::move(model),
+                     .options = audit_options({}, {})});
   }
   run_audits(cases, 2);
   const std::vector<AuditSummary> summaries = summaries_of(cases);
@@ -80,14 +83,13 @@ TEST(AuditSummary, CountsMaterialsOnceAndFindsTheEarliest) {
   std::vector<AuditCase> cases;
   for (const double rho : {0.5, 1.0}) {
     for (const char* channel : {"R", "G"}) {
-      cases.push_back({rho < 1 ? "dim" : "bright",
-                       channel,
-                       make_model("kurt", {{"m", 2.5}, {"equation", "9"}, {"k_s", rho}}),
-                       audit_options({}, {}),
-                       {}});
+      cases.push_back({.name = rho < 1 ? "dim" : "bright",
+                       .channel = channel,
+                       .model = make_model("kurt", {{"m", 2.5}, {"equation", "9"}, {"k_s", rho}}),
+                       .options = audit_options({}, {})});
     }
   }
-  cases.push_back({"glossy", "R", make_model("ward"), audit_options({}, {}), {}});
+  cases.push_back({.name = "glossy", .model = make_model("ward"), .options = audit_options({}, {})});
   run_audits(cases, 1);
   const std::vector<AuditSummary> summaries = summaries_of(cases);
   ASSERT_EQ(summaries.size(), 2U);

@@ -39,9 +39,11 @@ TEST_F(CliTest, AuditOfMaterials) {
   const Outcome outcome = run_albedo({"audit", "--materials", file, "--checks", "average", "-o", "ward.csv"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(line_count(outcome.out), 2U);  // the summary: one model
-  EXPECT_NE(outcome.out.find("ward         86"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("ngan_ward   ward         86             86         86               -"),
+            std::string::npos)
+      << outcome.out;
   const std::string text = read_text("ward.csv");
-  const std::size_t data = text.find("\nmaterial,channel,model,") + 1;
+  const std::size_t data = text.find("\nlist,material,channel,model,") + 1;
   EXPECT_EQ(line_count(text.substr(data)), 1U + 86 * 3);
 }
 

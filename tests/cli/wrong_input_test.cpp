@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                       at({"sum", "lambert:weight=-1"}, "the weight of part 1 is -1 and must be within [0, 1e+06]"),
                       at({"sum", "lambert:weight=x"}, "weight: 'x' is not a finite number"),
                       at({"sum", "lambert:weight=1,weight=2"}, "weight set twice"),
-                      at({"sum", "sum:lambert"}, "is a sum; write its parts instead"),
+                      at({"sum", "sum:lambert"}, "'sum:lambert' is not a model of its own and can't be a part"),
                       Case{{"table", "sum", "lambert", "-o", "x.csv"}, "sum"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -26,7 +26,7 @@ struct Kurt {
   static ModelInfo info() {
     return {.name = "kurt",
             .title = "Kurt, Szirmay-Kalos, Křivánek 2010",
-            .source = "Kurt et al. 2010, eqs. 9, 10, 11, 13",
+            .source = "Kurt et al. 2010, eqs. 9, 10, 11, 13; eq. 14 is a sum of them",
             .deviation = "none; eqs. 9 and 10 are given eq. 11's k_s and k_d (1 and 0)",
             .shorthands = {{"m", {"m_x", "m_y"}}}};
   }
