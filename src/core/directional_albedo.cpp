@@ -67,8 +67,9 @@ Estimate integrate(const Model& model, const Direction& l, AlbedoOptions options
   return believed(applied(options.rule, *integrand, rule), *integrand);
 }
 
-/// What three albedos on the way to grazing incidence, each a hundredth of the cosine before, tell of the limit.
-Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate limit, double tolerance) {
+/// What three albedos on the way to grazing incidence, each a hundredth of the cosine before, tell of the limit. Growth
+/// that isn't that of a power yet says nothing unless they are the last.
+Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate limit, double tolerance, bool last) {
   const double change = std::abs(limit.value - before.value);
   limit.evaluations += before.evaluations + earlier.evaluations;
   for (const Estimate* one : {&earlier, &before}) {
@@ -79,13 +80,17 @@ Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate 
   const double growth = std::log(limit.value / before.value) / std::log(decades);
   const double growth_before = std::log(before.value / earlier.value) / std::log(decades);
   constexpr double no_growth = 1e-3;  // per factor e of cosθ_L; a limit's own rate is far below at these cosines
+  constexpr double same = 0.01;
+  const bool as_power = std::abs(growth - growth_before) < same;
   if (growth > no_growth && change > 4 * (limit.error + before.error)) {
+    limit.status = Status::budget_exhausted;
+    if (!last && !as_power) return limit;
     limit.value = limit.error = std::numeric_limits<double>::infinity();
     limit.status = Status::divergent;
     return limit;
   }
-  constexpr double vanishing = -0.1, same = 0.01;
-  if (growth < vanishing && std::abs(growth - growth_before) < same) {
+  constexpr double vanishing = -0.1;
+  if (growth < vanishing && as_power) {
     return {0, 0, ErrorKind::extrapolated, limit.evaluations};
   }
   const bool as_logarithm =
@@ -104,18 +109,18 @@ Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate 
 Estimate grazing_limit(const Model& model, const Direction& l, AlbedoOptions options) {
   const double tolerance = options.tolerance;
   options.tolerance = std::max(tolerance / 4, 1e-30);  // two of them, and the way to the limit
-  const auto limit_from = [&](double cosine) {
+  const auto limit_from = [&](double cosine, bool last) {
     const auto at = [&](double factor) {
       Direction toward = l;
       toward.sin_theta = 1;
       toward.cos_theta = cosine * factor;
       return integrate(model, toward, options);
     };
-    return extrapolated(at(1), at(1e-2), at(1e-4), tolerance);
+    return extrapolated(at(1), at(1e-2), at(1e-4), tolerance, last);
   };
-  const Estimate limit = limit_from(1e-10);
-  if (limit.status == Status::converged || limit.status == Status::non_finite) return limit;
-  Estimate farther = limit_from(1e-36);  // a roughness of 1e-12 has its layers where the first were
+  const Estimate limit = limit_from(1e-10, false);
+  if (limit.status != Status::budget_exhausted && limit.status != Status::rounding_limited) return limit;
+  Estimate farther = limit_from(1e-36, true);  // a roughness of 1e-12 has its layers where the first were
   farther.evaluations += limit.evaluations;
   return farther;
 }
