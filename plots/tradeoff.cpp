@@ -13,8 +13,8 @@
 namespace albedo::plots {
 namespace {
 
-using analysis::Material;
 using analysis::Tradeoff;
+using analysis::TradeoffMaterial;
 
 /// A curve of every panel: its rule and warp as in the data, its title, and its looks: a line type of the common style
 /// and a marker that tells it apart in grey.
@@ -57,7 +57,7 @@ std::string text(double value) {
 }
 
 /// "α = 0.1" of the parameter that makes the material smooth or rough.
-std::string parameter_text(const Material& material) {
+std::string parameter_text(const TradeoffMaterial& material) {
   const auto& [name, value] = material.parameters.front();
   return "{/:Italic " + (name == "alpha" ? std::string("α") : name) + "} = " + text(std::get<double>(value));
 }
@@ -79,7 +79,7 @@ std::string plot(const std::string& column) {
   return command.substr(0, command.size() - 4) + "\n";
 }
 
-std::string script(const Tradeoff& study, const std::vector<Material>& materials, std::string_view name) {
+std::string script(const Tradeoff& study, const std::vector<TradeoffMaterial>& materials, std::string_view name) {
   const std::size_t rows = 2 * materials.size(), columns = study.request.thetas.size();
   const double height = head + static_cast<double>(rows) * (panel_height + row_gap) - row_gap + foot;
   std::string gp = script_head(name, width, height);
@@ -118,7 +118,7 @@ set yrange [3e-16:3]
 set grid xtics ytics linetype -1 linecolor rgb '#DDDDDD' linewidth 0.4
 )";
   for (std::size_t row = 0; row < rows; ++row) {
-    const Material& material = materials[row / 2];
+    const TradeoffMaterial& material = materials[row / 2];
     const Quantity& quantity = quantities[row % 2];
     const double top = head + static_cast<double>(row) * (panel_height + row_gap);
     gp += "\n# " + material.label + ": error against " + quantity.label + "\nset tmargin at screen 1 - " + text(top) +
@@ -150,7 +150,7 @@ Drawing tradeoff(std::string_view name) {
   std::ranges::replace(model, '-', '_');
   analysis::TradeoffRequest request = analysis::default_tradeoff();
   request.materials = analysis::usual_materials(model);
-  const std::vector<Material> materials = request.materials;
+  const std::vector<TradeoffMaterial> materials = request.materials;
   const Tradeoff study = analysis::measure_tradeoff(std::move(request));
 
   nlohmann::ordered_json provenance{{"version", "albedo " + std::string(version)},

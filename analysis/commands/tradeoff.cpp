@@ -29,11 +29,11 @@ struct Arguments {
 };
 
 /// A model with parameters is one material; without, its usual two. Without any, the models of the default set.
-std::vector<Material> materials_of(const std::vector<std::string>& words) {
+std::vector<TradeoffMaterial> materials_of(const std::vector<std::string>& words) {
   const std::vector<ModelArguments> given = split_models(words);
-  std::vector<Material> materials;
+  std::vector<TradeoffMaterial> materials;
   const auto add_usual = [&](const std::string& model) {
-    for (Material& material : usual_materials(model)) materials.push_back(std::move(material));
+    for (TradeoffMaterial& material : usual_materials(model)) materials.push_back(std::move(material));
   };
   if (given.empty()) std::ranges::for_each(tradeoff_models(), add_usual);
   for (const ModelArguments& arguments : given) {

@@ -29,7 +29,7 @@ Json describe(const TradeoffRequest& request) {
               {"seconds", "median of " + std::to_string(request.repeats) +
                               " turns (longer than a millisecond: every other) in which all runs of a direction "
                               "alternate, on one thread"}};
-  for (const Material& material : request.materials) {
+  for (const TradeoffMaterial& material : request.materials) {
     object["material " + material.model + " " + material.label] = parameters_text(material.parameters);
   }
   return object;
@@ -40,7 +40,7 @@ void write_csv(const Json& provenance, const Tradeoff& study, std::ostream& out)
   out << "model,material,theta_deg,rule,warp,tolerance,albedo,true_error,reported_error,error_kind,evaluations,seconds,"
          "status,reference,reference_error\n";
   for (const TradeoffCell& cell : study.cells) {
-    const Material& material = study.request.materials[cell.material];
+    const TradeoffMaterial& material = study.request.materials[cell.material];
     for (const TradeoffRun& run : cell.runs) {
       out << csv_field(material.model) << ',' << csv_field(material.label) << ',' << number_text(cell.theta) << ','
           << name_of(run.method.rule) << ',' << name_of(run.method.warp) << ',' << number_text(run.tolerance) << ','
@@ -55,7 +55,7 @@ void write_csv(const Json& provenance, const Tradeoff& study, std::ostream& out)
 Json with_cells(Json object, const Tradeoff& study) {
   object["cells"] = Json::array();
   for (const TradeoffCell& cell : study.cells) {
-    const Material& material = study.request.materials[cell.material];
+    const TradeoffMaterial& material = study.request.materials[cell.material];
     Json entry{{"model", material.model},
                {"material", material.label},
                {"parameters", parameters_json(material.parameters)},

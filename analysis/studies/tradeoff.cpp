@@ -143,7 +143,7 @@ const std::vector<std::string>& tradeoff_models() {
   return names;
 }
 
-std::vector<Material> usual_materials(const std::string& model) {
+std::vector<TradeoffMaterial> usual_materials(const std::string& model) {
   struct Pair {
     const char* parameter;
     double smooth, rough;
@@ -234,7 +234,7 @@ Tradeoff measure_tradeoff(TradeoffRequest request) {
   Tradeoff study{.request = std::move(request)};
   std::vector<std::unique_ptr<Model>> models;
   for (std::size_t i = 0; i < study.request.materials.size(); ++i) {
-    Material& material = study.request.materials[i];
+    TradeoffMaterial& material = study.request.materials[i];
     models.push_back(make_model(material.model, material.parameters));
     material.parameters = models.back()->parameters();
     for (const double theta : study.request.thetas) study.cells.push_back({.material = i, .theta = theta});

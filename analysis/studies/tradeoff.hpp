@@ -16,7 +16,7 @@
 namespace albedo::analysis {
 
 /// A model with its parameters, under a label that tells it from others of the same model ("smooth", "rough").
-struct Material {
+struct TradeoffMaterial {
   std::string model{};
   std::string label{};
   Parameters parameters{};
@@ -24,7 +24,7 @@ struct Material {
 
 /// What is to be measured.
 struct TradeoffRequest {
-  std::vector<Material> materials{};
+  std::vector<TradeoffMaterial> materials{};
   std::vector<double> thetas{0, 60, 85, 89.9};  ///< of L in degrees, below 90
   double phi = 0;                               ///< of L in degrees
   std::vector<Rule> rules{};
@@ -46,7 +46,7 @@ TradeoffRequest default_tradeoff(double last = 1e-12, double last_random = 1e-4)
 
 /// The smooth and the rough material of a model: of those the default set has, its own; of any other model, the one of
 /// its default parameters. @throws UnknownModel
-std::vector<Material> usual_materials(const std::string& model);
+std::vector<TradeoffMaterial> usual_materials(const std::string& model);
 
 /// The models of the default set.
 const std::vector<std::string>& tradeoff_models();
