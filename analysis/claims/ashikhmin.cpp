@@ -7,7 +7,7 @@
 namespace albedo::analysis {
 namespace {
 
-constexpr std::array exponents{0.0, 1.0, 10.0, 100.0, 1000.0, 10000.0};
+constexpr std::array exponents{0.0, 1.0, 10.0, 100.0, 10000.0};
 
 std::string label_of(double n_u, double n_v) { return "n_u=" + show(n_u) + " n_v=" + show(n_v); }
 
@@ -69,9 +69,9 @@ Finding energy_of_all_exponents(const std::vector<Case>& cases, const std::strin
   return finding;
 }
 
-std::vector<Case> with_reflectances(const ModelSource& make, double r_d) {
+std::vector<Case> with_reflectances(const ModelSource& make, const std::vector<double>& all_r_s, double r_d) {
   std::vector<Case> cases;
-  for (const double r_s : {0.0, 0.05, 0.5, 1.0}) {
+  for (const double r_s : all_r_s) {
     for (Case& one : all_exponents(make, {{"r_s", r_s}, {"r_d", r_d}})) {
       cases.push_back({one.label + " R_s=" + show(r_s), std::move(one.model)});
     }
@@ -80,11 +80,11 @@ std::vector<Case> with_reflectances(const ModelSource& make, double r_d) {
 }
 
 Finding specular_conserves_energy(const ModelSource& make) {
-  return energy_of_all_exponents(with_reflectances(make, 0), "specular term");
+  return energy_of_all_exponents(with_reflectances(make, {0.05, 1}, 0), "specular term");
 }
 
 Finding both_terms_conserve_energy(const ModelSource& make) {
-  return energy_of_all_exponents(with_reflectances(make, 1), "both terms, R_d=1");
+  return energy_of_all_exponents(with_reflectances(make, {0, 0.05, 0.5}, 1), "both terms, R_d=1");
 }
 
 Finding other_normalisation_conserves_energy(const ModelSource& make) {

@@ -46,6 +46,10 @@ std::string_view to_string(ClaimVerdict verdict) {
   return "undecided";
 }
 
+std::unique_ptr<Model> library_model(std::string_view name, const Parameters& parameters) {
+  return make_model(name, parameters);
+}
+
 std::vector<Claim> claims_of(const std::vector<Paper>& papers) {
   std::vector<Claim> all;
   for (const auto& part : {neumann_claims(), ashikhmin_claims(), walter_claims(), kurt_claims()}) {

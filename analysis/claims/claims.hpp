@@ -53,8 +53,11 @@ struct Finding {
   std::vector<Quantity> quantities{};
 };
 
-/// Where a check has its models from: make_model, or one that changes them to see the verdict change.
+/// Where a check has its models from: the library, or one that changes them to see the verdict change.
 using ModelSource = std::function<std::unique_ptr<Model>(std::string_view name, const Parameters& parameters)>;
+
+/// make_model
+std::unique_ptr<Model> library_model(std::string_view name, const Parameters& parameters);
 
 struct Claim {
   std::string id;  ///< N1, A3, ...
@@ -73,7 +76,7 @@ std::vector<Claim> kurt_claims();
 std::vector<Claim> claims_of(const std::vector<Paper>& papers);
 
 /// Checks all claims, with the same bits for any number of threads.
-std::vector<Finding> check_claims(const std::vector<Claim>& claims, int threads, const ModelSource& make = make_model,
-                                  const ProgressCallback& progress = {});
+std::vector<Finding> check_claims(const std::vector<Claim>& claims, int threads,
+                                  const ModelSource& make = library_model, const ProgressCallback& progress = {});
 
 }  // namespace albedo::analysis

@@ -181,13 +181,14 @@ Finding half_vector_family(const ModelSource& make) {
   add("beckmann alpha=0.1", "beckmann", {{"alpha", 0.1}});
   add("ward_bounded alpha=0.1", "ward_bounded", {{"alpha", 0.1}});
   Finding finding;
-  std::vector<std::string> diverging, decreasing, neither;
+  std::vector<std::string> diverging, decreasing, neither, agreeing;
   Worst best;
   for (const Case& one : cases) {
     const Grazing grazing = grazing_behaviour(*one.model);
     const Decrease decrease = decrease_of(*one.model);
     const double at_grazing = grazing.fit.exponent < 1e-3 ? grazing.fit.constant / albedo_at(*one.model, 0).value : 0;
     const double left = std::min(decrease.least, grazing.fit.exponent < 1e-3 ? at_grazing : 1);
+    if (grazing.fit.exponent > 1e-3 || left < 0.5 - 1e-3) agreeing.push_back(one.label);
     if (grazing.fit.exponent > 1e-3) {
       diverging.push_back(one.label);
     } else if (left < 0.5 - 1e-3) {
@@ -205,8 +206,7 @@ Finding half_vector_family(const ModelSource& make) {
                   ". Neither: " + list_of(neither);
   if (neither.empty()) return finding;
   finding.worst = best.where + " keeps " + show(best.value, 6) + " of a(0) at every angle, and never diverges";
-  diverging.insert(diverging.end(), decreasing.begin(), decreasing.end());
-  finding.repair = "say it of single models: " + list_of(diverging);
+  finding.repair = "say it of single models: " + list_of(agreeing);
   return finding;
 }
 

@@ -26,7 +26,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   std::vector<Finding> findings;
   {
     ProgressBar progress;
-    findings = check_claims(claims, arguments.threads, make_model,
+    findings = check_claims(claims, arguments.threads, library_model,
                             [&progress](std::size_t done, std::size_t total) { progress.update(done, total); });
   }
   if (arguments.json) {
