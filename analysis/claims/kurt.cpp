@@ -217,34 +217,36 @@ constexpr std::array fits{
 
 Finding fits_are_plausible(const ModelSource& make) {
   Finding finding;
-  std::vector<std::string> plausible, others, parts;
+  std::vector<std::string> plausible, others, parts, repairs;
   for (const Fit& fit : fits) {
     // the same channel has both: no other is brighter anywhere
     const double k_s = *std::ranges::max_element(fit.k_s), k_d = *std::ranges::max_element(fit.k_d);
-    const auto material = [&](double scale, double diffuse) {
+    const auto material = [&](double scale, double diffuse, double alpha) {
       return make("kurt", {{"equation", "11"},
                            {"m_x", fit.m_x},
                            {"m_y", fit.m_y},
-                           {"exponent", fit.alpha},
+                           {"exponent", alpha},
                            {"f0", fit.f0},
                            {"k_s", scale},
                            {"k_d", diffuse}});
     };
-    const EnergyAudit energy = energy_of(*material(k_s, k_d));
+    const EnergyAudit energy = energy_of(*material(k_s, k_d, fit.alpha));
     const bool above = creates_energy(energy) || std::isinf(energy.largest.value);
     // of the lobe alone: beside a Lambertian part a small power shows far beyond the angles of a fit
-    const double exponent = exponent_of(grazing_behaviour(*material(k_s, 0)));
+    const double exponent = exponent_of(grazing_behaviour(*material(k_s, 0, fit.alpha)));
     finding.quantities.push_back(
         {std::string("largest albedo ") + fit.name, energy.largest.value, energy.largest.error});
     finding.quantities.push_back({std::string("grazing exponent ") + fit.name, exponent, 1e-4});
     std::string text = std::string(fit.name) + " ";
     if (above) {
       others.emplace_back(fit.name);
+      const EnergyAudit repaired = energy_of(*material(k_s, k_d, 0));
+      repairs.push_back(std::string(fit.name) + " " + with_error(repaired.largest, 4));
       text += "diverges like (N.L)^-" + show(exponent, 3) +
               (energy.critical ? ", above 1 from cos theta = " + show(energy.critical->cos_theta, 2)
                                : ", above 1 only below cos theta = 1e-60");
     } else {
-      plausible.emplace_back(fit.name);
+      plausible.push_back(std::string(fit.name) + " (alpha = " + show(fit.alpha) + ")");
       text += "at most " + show(energy.largest.value, 4);
     }
     parts.push_back(text);
@@ -254,9 +256,9 @@ Finding fits_are_plausible(const ModelSource& make) {
                                         : ClaimVerdict::holds_if;
   finding.found = "albedo (eq. 11, brightest channel): " + list_of(parts);
   if (others.empty()) return finding;
-  finding.condition = "alpha = 0: " + list_of(plausible);
+  if (!plausible.empty()) finding.condition = "the material is " + list_of(plausible);
   finding.worst = "not plausible, if far from any measured angle: " + list_of(others);
-  finding.repair = "as for K5";
+  finding.repair = "alpha = 0: then at most " + list_of(repairs);
   return finding;
 }
 
