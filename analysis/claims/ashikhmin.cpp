@@ -48,7 +48,7 @@ Finding density_integrates_to_one(const ModelSource& make) {
                                                   : ClaimVerdict::fails;
   finding.found = "its integral over the half vectors is within " + show(worst.value, 1) + " +- " + show(error, 1) +
                   " of 1 for all of " + std::to_string(finding.quantities.size()) + " pairs of exponents, 0 ... 10000";
-  if (finding.verdict == ClaimVerdict::fails) finding.worst = worst.where;
+  if (finding.verdict == ClaimVerdict::fails) finding.worst = worst.where, finding.repair = "p_h over its integral";
   return finding;
 }
 

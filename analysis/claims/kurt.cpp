@@ -62,7 +62,7 @@ Finding distribution_is_normalised(const ModelSource& make) {
                                                   : ClaimVerdict::fails;
   finding.found = "the integral of D cos theta_h is within " + show(worst.value, 1) + " +- " + show(error, 1) +
                   " of 1 for all of 16 pairs m_x, m_y, 0.01 ... 10";
-  if (finding.verdict == ClaimVerdict::fails) finding.worst = worst.where;
+  if (finding.verdict == ClaimVerdict::fails) finding.worst = worst.where, finding.repair = "D over its integral";
   return finding;
 }
 
@@ -318,18 +318,35 @@ Finding sampling_is_right(const ModelSource& make) {
                                  {"least p of chi-squared", samplers.least_p, 0},
                                  {"integral off 1 with |w_o.h|", samplers.integral_off, 0}}};
   const bool right = density_off.value < 1e-6 && weight_off.value < 1e-25 && samplers.pass;
-  const bool printed_covers = backwards_printed == backwards;
-  finding.verdict = !right ? ClaimVerdict::fails : printed_covers ? ClaimVerdict::holds : ClaimVerdict::holds_if;
+  const bool covers = backwards_printed == backwards;
+  // Eq. 20 has w_o.h, not its magnitude: facets that face away count negative.
+  const Estimate away = facing_away(*kurt(0.5, 0.5), 85);
+  const bool sign_matters = away.value > away.error + 1e-9;
+  finding.quantities.push_back(
+      {"integral of eq. 20 with the sign of w_o.h, m=0.5, 85 degrees", 1 - 2 * away.value, 2 * away.error});
+  finding.verdict = !right                    ? ClaimVerdict::fails
+                    : covers && !sign_matters ? ClaimVerdict::holds
+                                              : ClaimVerdict::holds_if;
   finding.found = "eq. 20 is the density of eqs. 16-19 within " + show(density_off.value, 1) +
                   "; eq. 21 is f cos/p within " + show(weight_off.value, 1) +
                   "; chi-squared of directions drawn: least p " + show(samplers.least_p, 2) + " of " +
                   std::to_string(samplers.tests);
-  if (printed_covers) return finding;
-  finding.condition = "the arctangent of eq. 17 is taken in the quadrant of 2 pi xi_2, and w_o.h as |w_o.h|";
-  finding.worst = "with eq. 17 as printed " + std::to_string(backwards_printed) + " of " +
-                  std::to_string(backwards + forwards) + " half vectors have cos phi_h < 0, and " +
-                  std::to_string(backwards) + " should";
-  finding.repair = "phi_h = atan2(m_y sin 2 pi xi_2, m_x cos 2 pi xi_2)";
+  std::vector<std::string> conditions, worst, repairs;
+  if (!covers) {
+    conditions.emplace_back("the arctangent of eq. 17 is taken in the quadrant of 2 pi xi_2");
+    worst.push_back("with eq. 17 as printed " + std::to_string(backwards_printed) + " of " +
+                    std::to_string(backwards + forwards) + " half vectors have cos phi_h < 0, and " +
+                    std::to_string(backwards) + " should");
+    repairs.emplace_back("phi_h = atan2(m_y sin 2 pi xi_2, m_x cos 2 pi xi_2)");
+  }
+  if (sign_matters) {
+    conditions.emplace_back("w_o.h in eq. 20 is read as |w_o.h|");
+    worst.push_back("with its sign eq. 20 integrates to " + show(1 - 2 * away.value, 5) + " at 85 degrees, m=0.5");
+    repairs.emplace_back("|w_o.h|");
+  }
+  finding.condition = joined(conditions, ", and ");
+  finding.worst = joined(worst, "; ");
+  finding.repair = joined(repairs, ", ");
   return finding;
 }
 

@@ -227,6 +227,12 @@ Finding metallic_phong_preserves_energy(const ModelSource& make) {
   finding.verdict = energies.conserved();
   finding.found = "\"only if\": a(0) = " + show(least_normal, 10) +
                   " at least with c_n = (n+2)/2pi. \"If\": largest albedo " + largest_text(energies, cases);
+  if (least_normal < 1 - 1e-9) {
+    finding.verdict = ClaimVerdict::fails;
+    finding.worst = "a(0) = " + show(least_normal, 6) + ": a larger c_n preserves energy there, too";
+    finding.repair = "c_n <= (n+2)/2pi/max a";
+    return finding;
+  }
   if (energies.above.empty()) return finding;
 
   // Near normal incidence a = 1 + A theta^p - B theta^q, where p depends on n: for which n is p = q?

@@ -65,6 +65,8 @@ TEST(ClaimNumbers, MetallicPhongWithoutAnExponent) {
     return make_model(name, parameters);
   };
   EXPECT_EQ(check("N12", larger_exponent).verdict, ClaimVerdict::holds);
+  // its a(0) is below 1: "only if" isn't so
+  EXPECT_EQ(check("N12", with_other("neumann_phong", "ashikhmin_shirley")).verdict, ClaimVerdict::fails);
 }
 
 TEST(ClaimNumbers, RoughnessAtWhichEquation9CreatesEnergy) {
