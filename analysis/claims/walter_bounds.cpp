@@ -1,6 +1,8 @@
 #include "analysis/claims/walter_bounds.hpp"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <random>
 
 #include "albedo/bounds.hpp"

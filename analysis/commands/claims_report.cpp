@@ -1,6 +1,7 @@
 #include "analysis/commands/claims_report.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace albedo::analysis {
 namespace {
