@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "albedo/combinators/coupled.hpp"
+#include "albedo/combinators/pumped.hpp"
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/checks.hpp"
+#include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/text.hpp"
 
 namespace albedo::analysis {
@@ -108,6 +110,16 @@ Combination combination_of(const std::string& name, const std::vector<std::strin
   return combination;
 }
 
+/// The model or combination, not pumped.
+std::unique_ptr<Model> make_plain(const ModelArguments& given, const std::string& channel) {
+  if (!is_combination(given.model)) return make_written({given.model, given.assignments()}, channel);
+  const Combination combination = combination_of(given.model, given.parameters);
+  if (given.model == coupled_name) return coupled(make_written(combination.parts.front(), channel), combination.r_m);
+  std::vector<SumModel::Part> parts;
+  for (const Written& part : combination.parts) parts.push_back({part.weight, make_written(part, channel)});
+  return std::make_unique<SumModel>(std::move(parts));
+}
+
 }  // namespace
 
 std::vector<Assignment> ModelArguments::assignments() const {
@@ -129,14 +141,9 @@ std::vector<std::string> ModelArguments::channels() const {
 }
 
 std::unique_ptr<Model> ModelArguments::make(const std::string& channel) const {
-  if (!is_combination(model)) return make_written({model, assignments()}, channel);
-  const Combination combination = combination_of(model, parameters);
-  if (model == coupled_name) return coupled(make_written(combination.parts.front(), channel), combination.r_m);
-  std::vector<SumModel::Part> parts;
-  for (const Written& part : combination.parts) parts.push_back({part.weight, make_written(part, channel)});
-  return std::make_unique<SumModel>(std::move(parts));
+  std::unique_ptr<Model> made = make_plain(*this, channel);
+  return pump.times == 0 ? std::move(made) : std::make_unique<PumpedModel>(std::move(made), pump);
 }
-
 std::vector<ModelArguments> split_models(const std::vector<std::string>& words) {
   std::vector<ModelArguments> models;
   for (const std::string& word : words) {
@@ -157,12 +164,29 @@ void check_one_channel(const std::vector<Assertion>& assertions, const std::vect
       assertions, [](double, double) { return false; }, "there are several channels; channel=R is one of them");
 }
 
-void add_model_arguments(CLI::App& command, ModelArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "the reflectance model's name, sum or coupled")->type_name("");
+std::string name_of(PumpControl control) { return std::string(to_string(control)); }
+
+std::vector<CLI::Option*> add_pump_kind(CLI::App& command, PumpOptions& options) {
+  add_choice(
+      command, "--control", all_controls, options.control,
+      "what keeps the output radiance of a pumped model from exceeding its input (Neumann 1999, eq. 21): a floor "
+      "of the divisor at every step, or of the product of all divisors");
+  return {command.get_option("--control"),
+          command.add_flag("--only-up", options.only_up, "an albedo above 1 stays as it is: g <= 1 (eq. 17)")};
+}
+
+void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_pump) {
+  CLI::Option* const model =
+      command.add_option("MODEL", arguments.model, "the reflectance model's name, sum or coupled")->type_name("");
   command
       .add_option("PARAMETERS", arguments.parameters,
                   "its parameters, each as NAME=VALUE; the parts of a sum, each as MODEL:NAME=VALUE,...")
       ->type_name("");
+  if (!can_pump) return;
+  CLI::Option* const pump = add_integer(command, "--pump", arguments.pump.times, 0, PumpOptions::most_times,
+                                        "the model with its albedo pumped up so many times (Neumann 1999)")
+                                ->needs(model);
+  for (CLI::Option* const option : add_pump_kind(command, arguments.pump)) option->needs(pump);
 }
 
 std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment) {

@@ -1,15 +1,17 @@
 /// @file
 /// MODEL [PARAM=VALUE]... on the command line, or a combination of parts MODEL[:PARAM=VALUE[,PARAM=VALUE]...]: sum
-/// PART..., coupled PART [r_m=VALUE].
+/// PART..., coupled PART [r_m=VALUE]. Any of them may be pumped: --pump K --control none|step|total --only-up.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "albedo/core/model.hpp"
+#include "albedo/pumping.hpp"
 #include "analysis/input/assertion.hpp"
 #include "analysis/input/value.hpp"
 
@@ -26,6 +28,7 @@ bool is_combination(const std::string& name);
 struct ModelArguments {
   std::string model;
   std::vector<std::string> parameters;  ///< NAME=VALUE, or the parts of a sum; `weight` scales a part
+  PumpOptions pump{.times = 0};         ///< what make() does to the model; 0: nothing
 
   /// @throws ParameterError if there is no model, or an argument is not NAME=VALUE
   [[nodiscard]] std::vector<Assignment> assignments() const;
@@ -43,7 +46,15 @@ std::vector<ModelArguments> split_models(const std::vector<std::string>& words);
 /// @throws ParameterError for an --assert of at(...) where there are several channels
 void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels);
 
-void add_model_arguments(CLI::App& command, ModelArguments& arguments);
+/// Adds MODEL and PARAMETERS and, where the command makes its models by make(), --pump, --control and --only-up.
+void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_pump = true);
+
+/// As on the command line.
+std::string name_of(PumpControl control);
+inline constexpr std::array all_controls{PumpControl::none, PumpControl::step, PumpControl::total};
+
+/// Adds --control and --only-up, which say how a model is pumped.
+std::vector<CLI::Option*> add_pump_kind(CLI::App& command, PumpOptions& options);
 
 /// The value of a model's parameter: a number taken strictly, or the name of a choice. Whether the model has such a
 /// parameter, and its range, is make_model's to say.

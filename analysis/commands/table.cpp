@@ -204,7 +204,7 @@ Command add_table(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* const app =
       program.add_subcommand("table", "an N-dimensional table over parameters and directions, or of materials");
-  add_model_arguments(*app, arguments->model);
+  add_model_arguments(*app, arguments->model, false);
   app->get_option("PARAMETERS")
       ->description(
           "NAME=VALUE fixes, NAME=FROM:TO:COUNT[:log] or NAME=A,B,... varies; also cos_theta, theta, phi (degrees)");

@@ -34,6 +34,20 @@ Case at(std::vector<std::string> words, std::string message) {
   return {std::move(words), std::move(message)};
 }
 
+INSTANTIATE_TEST_SUITE_P(
+    Pumping, WrongInput,
+    ::testing::Values(at({"phong", "--pump", "-1"}, "--pump is '-1' and must be a whole number within [0, 1000]"),
+                      at({"phong", "--pump", "1e9"}, "--pump is '1e9'"), at({"phong", "--pump", "1001"}, "[0, 1000]"),
+                      at({"phong", "--pump", "1", "--control", "steps"}, "must be one of none, step, total"),
+                      at({"phong", "--control", "step"}, "--control requires --pump"),
+                      at({"phong_original", "--pump", "1"}, "phong_original isn't reciprocal"),
+                      at({"lambert", "rho=0", "--pump", "1"}, "the albedo of lambert is 0"),
+                      Case{{"audit", "--pump", "1"}, "--pump requires MODEL"}, Case{{"pump"}, "no MODEL"},
+                      Case{{"pump", "phong", "--times", "-1"}, "--times is '-1'"},
+                      Case{{"pump", "phong", "--pump", "2"}, "unknown option '--pump'"},
+                      Case{{"pump", "phong", "--tolerance", "0"}, "--tolerance is 0"},
+                      Case{{"table", "phong", "n=1,2", "--pump", "1", "-o", "t.csv"}, "unknown option '--pump'"}));
+
 INSTANTIATE_TEST_SUITE_P(Models, WrongInput,
                          ::testing::Values(at({"wardd"}, "unknown model 'wardd'; did you mean 'ward'?"),
                                            at({}, "no MODEL"), Case{{"models", "wardd"}, "did you mean 'ward'?"},

@@ -1,0 +1,261 @@
+#include "pumping/kernel_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "albedo/warps/sample.hpp"
+#include "rules/nodes.hpp"
+
+namespace albedo {
+namespace {
+
+constexpr double last_flux = 40;  // x_V: what is below cosθ_V ~ 4e-18 gets less than that
+constexpr std::size_t most_panels = 400;
+constexpr double narrowest = 1e-10;     // panel
+constexpr double share = 1.0 / 200;     // of the tolerance, for a panel
+constexpr double own_share = 1.0 / 20;  // of the tolerance, for a panel with that much of its own integral
+constexpr double same = 1e-11;          // of ln a: a flat albedo's rounding makes no kinks
+
+const Nodes<double>& gauss_nodes() {
+  static const Nodes<double>& rule = nodes_of<double>(AxisKind::interval, 16);
+  return rule;
+}
+
+/// What the last coefficients of an expansion leave open.
+template <class Values>
+double last_coefficients(const Values& values) {
+  const Nodes<double>& rule = gauss_nodes();
+  const auto terms = static_cast<std::size_t>(rule.terms);
+  double largest = 0;
+  for (std::size_t k = terms - 3; k < terms; ++k) {
+    double c = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) c += rule.transform[i * terms + k] * values[i];
+    largest = std::max(largest, std::abs(c));
+  }
+  return largest;
+}
+
+}  // namespace
+
+KernelRow::KernelRow(const Model& model, double x_l, double azimuth, double tolerance)
+    : x_l_(x_l), tolerance_(tolerance) {
+  Direction l = Direction::from_degrees(0, azimuth);
+  l.cos_theta = std::exp(-x_l), l.sin_theta = std::sqrt(-std::expm1(-2 * x_l));
+  coherent_ = static_cast<double>(model.coherent_albedo(l));
+  AzimuthIntegral flux(model, l);
+  integrate(flux);
+  evaluations_ = flux.evaluations();
+}
+
+/// Panels from N to the horizon, narrower around what the lobes are centred on, and with an edge at L.
+std::vector<double> KernelRow::first_edges(const AzimuthIntegral& flux) const {
+  std::vector<double> edges{0, last_flux};
+  const double nearest = std::min(x_l_, last_flux);
+  for (const double step : {1.5, 4.0, 8.0, 16.0}) {
+    edges.push_back(step);
+    edges.push_back(nearest + step);
+  }
+  edges.push_back(nearest);
+  for (const Lobe& lobe : flux.lobes()) {
+    const double width = std::min({lobe.width_x, lobe.width_y, 1.0});
+    if (width > 0.2 || lobe.shape == LobeShape::cosine) continue;
+    const UnitVector<double> axis = lobe_axis(lobe, flux.light());
+    const double centre = std::atan2(std::hypot(axis.x, axis.y), axis.z);
+    for (double distance = 4 * width; distance < 1; distance *= 6) {
+      for (const double theta : {centre - distance, centre + distance}) {
+        if (theta > 0 && theta < 1.57) edges.push_back(-std::log(std::cos(theta)));
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<double> kept{0};
+  for (const double edge : edges) {
+    if (edge > last_flux) break;
+    const bool is_light = edge == nearest;
+    const double least = std::min(0.02, edge / 4);
+    if (edge - kept.back() > least) {
+      kept.push_back(edge);
+    } else if (is_light && edge > kept.back()) {
+      if (kept.size() > 1)
+        kept.back() = edge;
+      else
+        kept.push_back(edge);
+    }
+  }
+  kept.back() = last_flux;
+  return kept;
+}
+
+void KernelRow::integrate(AzimuthIntegral& flux) {
+  const std::vector<double> edges = first_edges(flux);
+  double total = coherent_;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    panels_.push_back(evaluated(flux, edges[i], edges[i + 1]));
+    total += panels_.back().sum;
+  }
+  for (std::size_t i = 0; i < panels_.size();) {
+    const Panel& panel = panels_[i];
+    const double width = panel.end - panel.begin;
+    if (!(panel.doubt > tolerance_ * std::max(share * total * unpumped(panel.end), own_share * panel.sum)) ||
+        panels_.size() >= most_panels || width < narrowest * std::max(1.0, panel.end)) {
+      ++i;
+      continue;
+    }
+    const double begin = panel.begin, middle = (panel.begin + panel.end) / 2, end = panel.end, before = panel.sum;
+    panels_[i] = evaluated(flux, begin, middle);
+    panels_.insert(panels_.begin() + static_cast<std::ptrdiff_t>(i) + 1, evaluated(flux, middle, end));
+    total += panels_[i].sum + panels_[i + 1].sum - before;
+  }
+  for (Panel& panel : panels_) panel.error += panel.doubt;
+  conclude();
+}
+
+KernelRow::Panel KernelRow::evaluated(AzimuthIntegral& flux, double begin, double end) {
+  Panel panel{begin, end};
+  const Nodes<double>& rule = gauss_nodes();
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const double x = begin + (end - begin) * rule.position[i], cos2 = std::exp(-2 * x);
+    const auto [value, error] = flux(x, share * tolerance_ * largest_ * unpumped(x) / cos2, own_share * tolerance_);
+    panel.flux[i] = cos2 * value;
+    panel.error += (end - begin) * rule.weight[i] * cos2 * error;
+    largest_ = std::max(largest_, panel.flux[i]);
+  }
+  weigh(panel);
+  return panel;
+}
+
+KernelRow::Panel KernelRow::part_of(const Panel& panel, double begin, double end, const PumpDivisor& divisor) const {
+  const Nodes<double>& rule = gauss_nodes();
+  Panel part{begin, end};
+  const double width = panel.end - panel.begin;
+  part.error = panel.error * (end - begin) / width;
+  const auto terms = static_cast<std::size_t>(rule.terms);
+  Values coefficients{};
+  for (std::size_t i = 0; i < nodes; ++i) {
+    for (std::size_t k = 0; k < nodes; ++k) coefficients[k] += rule.transform[i * terms + k] * panel.flux[i];
+  }
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const double x = begin + (end - begin) * rule.position[i], t = 2 * (x - panel.begin) / width - 1;
+    double sum = 0, previous = 0, current = 1;  // P_k by its recurrence
+    for (std::size_t k = 0; k < nodes; ++k) {
+      sum += coefficients[k] * current;
+      const auto degree = static_cast<double>(k);
+      const double next = ((2 * degree + 1) * t * current - degree * previous) / (degree + 1);
+      previous = current, current = next;
+    }
+    part.flux[i] = sum;
+    part.log_d[i] = divisor.log_divisor(order_, x_l_, x);
+  }
+  return part;
+}
+
+/// Which terms of the next step's max() and min() hold: where that changes, D has a kink.
+int KernelRow::branch(const PumpDivisor& divisor, double log_d, double log_v, double x_v) const {
+  const bool from_v = log_v > log_l_ + same;
+  double g = from_v ? log_v : log_l_;
+  const double floor = -std::min(x_l_, x_v);
+  int which = from_v ? 1 : 0;
+  if (divisor.control() == PumpControl::step && g < floor - same) g = floor, which = 2;
+  if (divisor.only_up() && g > same) g = 0, which = 3;
+  return divisor.control() == PumpControl::total && log_d + g < floor - same ? 4 : which;
+}
+
+void KernelRow::divide_at_kinks(const PumpDivisor& divisor) {
+  const Nodes<double>& rule = gauss_nodes();
+  std::array<std::size_t, nodes> ascending;
+  for (std::size_t i = 0; i < nodes; ++i) ascending[i] = i;
+  std::sort(ascending.begin(), ascending.end(),
+            [&](std::size_t i, std::size_t j) { return rule.position[i] < rule.position[j]; });
+  const auto branch_at = [&](double x) {
+    return branch(divisor, divisor.log_divisor(order_, x_l_, x), divisor.log_albedo(order_, x), x);
+  };
+  for (std::size_t p = 0; p < panels_.size() && panels_.size() < most_panels; ++p) {
+    const double begin = panels_[p].begin, end = panels_[p].end, width = end - begin;
+    const double aside = 1e-4 * width;  // a kink that near an end is no kink to the rule
+    if (width < 1e-6) continue;
+    double before = begin + aside;
+    int which = branch_at(before), other = which;
+    double after = end - aside;
+    for (const std::size_t i : ascending) {
+      const double x = begin + width * rule.position[i];
+      other = branch(divisor, panels_[p].log_d[i], divisor.log_albedo(order_, x), x);
+      if (other != which) {
+        after = x;
+        break;
+      }
+      before = x;
+    }
+    if (other == which) {
+      after = end - aside;
+      other = branch_at(after);
+    }
+    if (other == which) continue;
+    for (int halving = 0; halving < 40; ++halving) {
+      const double middle = (before + after) / 2;
+      (branch_at(middle) == which ? before : after) = middle;
+    }
+    const Panel whole = panels_[p];
+    panels_[p] = part_of(whole, begin, after, divisor);
+    panels_.insert(panels_.begin() + static_cast<std::ptrdiff_t>(p) + 1, part_of(whole, after, end, divisor));
+  }
+}
+
+/// The sum of flux / D and what the rule leaves of it.
+void KernelRow::weigh(Panel& panel) const {
+  const Nodes<double>& rule = gauss_nodes();
+  Values values;
+  const double width = panel.end - panel.begin;
+  panel.sum = 0;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    values[i] = panel.flux[i] * std::exp(-panel.log_d[i]);
+    panel.sum += width * rule.weight[i] * values[i];
+  }
+  panel.doubt = width * last_coefficients(values);
+}
+
+void KernelRow::conclude() {
+  value_ = coherent_ * std::exp(-coherent_log_d_);
+  error_ = 0;
+  for (const Panel& panel : panels_) {
+    const double smallest = *std::min_element(panel.log_d.begin(), panel.log_d.end());
+    value_ += panel.sum;
+    error_ += (order_ > 0 ? panel.doubt : 0) + panel.error * std::exp(-smallest);
+  }
+}
+
+void KernelRow::advance(const PumpDivisor& divisor) {
+  log_l_ = divisor.log_albedo(order_, x_l_);
+  divide_at_kinks(divisor);
+  const Nodes<double>& rule = gauss_nodes();
+  const auto step = [&](Panel& panel) {
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const double x = panel.begin + (panel.end - panel.begin) * rule.position[i];
+      panel.log_d[i] = divisor.step(panel.log_d[i], log_l_, divisor.log_albedo(order_, x), x_l_, x);
+    }
+    weigh(panel);
+  };
+  double total = 0;
+  for (Panel& panel : panels_) {
+    step(panel);
+    total += panel.sum;
+  }
+  coherent_log_d_ = divisor.step(coherent_log_d_, log_l_, log_l_, x_l_, x_l_);
+  ++order_;
+  for (std::size_t p = 0; p < panels_.size();) {
+    const Panel& panel = panels_[p];
+    if (!(panel.doubt > share * tolerance_ * total) || panels_.size() >= most_panels ||
+        panel.end - panel.begin < 1e-6) {
+      ++p;
+      continue;
+    }
+    const Panel whole = panel;
+    const double middle = (whole.begin + whole.end) / 2;
+    Panel halves[]{part_of(whole, whole.begin, middle, divisor), part_of(whole, middle, whole.end, divisor)};
+    for (Panel& half : halves) weigh(half);
+    panels_[p] = halves[0];
+    panels_.insert(panels_.begin() + static_cast<std::ptrdiff_t>(p) + 1, halves[1]);
+  }
+  conclude();
+}
+
+}  // namespace albedo

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "albedo/pumping.hpp"
+#include "pumping/azimuth_integral.hpp"
+
+namespace albedo {
+
+/// A direction L and where its light goes: ∫ f dφ_V cos²θ_V over x_V = −ln cosθ_V as a polynomial per panel, so that
+/// a_k(L) = ∫ that / D_k dx_V for any divisor of cosines, at nodes that no longer ask for the BRDF.
+class KernelRow {
+ public:
+  /// @param azimuth of L, in degrees
+  /// @param tolerance of a_k, relative
+  KernelRow(const Model& model, double x_l, double azimuth, double tolerance);
+
+  /// Divides by the next factor of D, whose order() + 1 first tables must be known.
+  void advance(const PumpDivisor& divisor);
+
+  [[nodiscard]] int order() const { return order_; }
+  [[nodiscard]] double value() const { return value_; }  ///< a_k(L), coherent part included
+  [[nodiscard]] double error() const { return error_; }  ///< absolute
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  [[nodiscard]] std::size_t panels() const { return panels_.size(); }
+
+ private:
+  static constexpr int nodes = 16;
+  using Values = std::array<double, nodes>;
+
+  struct Panel {
+    double begin, end;
+    double error = 0;  ///< of the integral of `flux`
+    Values flux{};     ///< ∫ f dφ_V cos²θ_V
+    Values log_d{};
+    double sum = 0, doubt = 0;  ///< of flux / D, and its last coefficients
+  };
+
+  void integrate(AzimuthIntegral& flux);
+  [[nodiscard]] std::vector<double> first_edges(const AzimuthIntegral& flux) const;
+  Panel evaluated(AzimuthIntegral& flux, double begin, double end);
+  /// The part of a panel between two of its places, with D of the orders so far.
+  [[nodiscard]] Panel part_of(const Panel& panel, double begin, double end, const PumpDivisor& divisor) const;
+  [[nodiscard]] int branch(const PumpDivisor& divisor, double log_d, double log_v, double x_v) const;
+  void divide_at_kinks(const PumpDivisor& divisor);
+  /// What a floor of control would divide by.
+  [[nodiscard]] double unpumped(double x_v) const { return std::exp(-std::min(x_l_, x_v)); }
+  void weigh(Panel& panel) const;
+  void conclude();
+
+  double x_l_, tolerance_;
+  int order_ = 0;
+  double coherent_ = 0, coherent_log_d_ = 0;
+  double log_l_ = 0;  ///< ln a_k's bound at L, of the order that is divided by
+  std::vector<Panel> panels_;
+  double largest_ = 0;  ///< flux met so far
+  double value_ = 0, error_ = 0;
+  std::int64_t evaluations_ = 0;
+};
+
+}  // namespace albedo

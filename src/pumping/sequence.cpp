@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "albedo/core/errors.hpp"
+#include "albedo/directional_albedo.hpp"
+#include "pumping/chebyshev.hpp"
+#include "pumping/kernel_row.hpp"
+
+namespace albedo {
+namespace {
+
+constexpr int terms = PumpDivisor::terms;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_panels = 64, most_panels_of_azimuths = 14;
+constexpr double azimuths_tolerance = 1e-6;  // what the largest over azimuths is not asked for less than
+constexpr double narrowest_panel = 1e-3;
+constexpr int azimuths = 12;            // of L, where they matter
+constexpr double measured_share = 0.3;  // of the tolerance: errors at the points below
+constexpr double unmeasured = 2.1;      // what AlbedoCurve allows for swings between the points
+constexpr double rounding = 1e-13;
+constexpr double same = 1e-9;  // of ln a: no kink of the diagonal
+// Where the error of a Chebyshev interpolant with 11 points swings out: ±sin(10 t) = ±1, one on either side.
+constexpr std::array<double, 2> tests{-0.45399049973954675, 0.7071067811865476};
+
+void check(const Model& model, double tolerance) {
+  if (!(tolerance >= 1e-12 && tolerance <= 0.1)) {
+    std::ostringstream message;
+    message << "pumping: tolerance is " << tolerance << " and must be within [1e-12, 0.1]";
+    throw ParameterError(message.str());
+  }
+  if (!model.claims().reciprocal) {
+    throw ParameterError("pumping: " + model.info().name +
+                         " isn't reciprocal for these parameters and must be: eq. 18 exchanges L and V");
+  }
+}
+
+/// What all azimuths of L at one polar angle make of a_k.
+struct Brightest {
+  double value = 0, relative_error = 0;
+};
+
+}  // namespace
+
+struct PumpSequence::Parts {
+  const Model& model;
+  double tolerance;
+  bool isotropic;
+  PumpDivisor divisor;
+  std::map<double, std::vector<KernelRow>> rows{};  // by x_L
+  std::vector<double> margins{};                    // by which the tables are raised
+  std::vector<double> bounds{};
+  Status status = Status::converged;
+  std::int64_t evaluations = 0;
+  int row_count = 0;
+
+  [[nodiscard]] std::size_t panels_allowed() const { return isotropic ? most_panels : most_panels_of_azimuths; }
+
+  /// @param aside azimuths between those of the tables
+  Brightest brightest(double x, int order, bool aside) {
+    std::vector<KernelRow>& of_x = rows[x];
+    const std::size_t wanted = isotropic ? 1 : aside ? 2 * azimuths : azimuths;
+    while (of_x.size() < wanted) {
+      const auto i = static_cast<int>(of_x.size());
+      const double phi = i < azimuths ? 360.0 / azimuths * i : 360.0 / azimuths * (i - azimuths + 0.5);
+      of_x.emplace_back(model, x, phi, isotropic ? tolerance : std::max(tolerance, azimuths_tolerance));
+      evaluations += of_x.back().evaluations();
+      ++row_count;
+    }
+    Brightest all;
+    for (KernelRow& row : of_x) {
+      while (row.order() < order) row.advance(divisor);
+      all.value = std::isnan(row.value()) ? row.value() : std::max(all.value, row.value());
+      all.relative_error = std::max(all.relative_error, row.error() / row.value());
+    }
+    if (!(all.value > 0 && std::isfinite(all.value))) {
+      std::ostringstream message;
+      message << "pumping: the albedo of " << model.info().name << " is " << all.value << " at cos_theta "
+              << std::exp(-x) << " and must be finite and positive";
+      throw ParameterError(message.str());
+    }
+    return all;
+  }
+
+  void tabulate() {
+    const int order = divisor.orders();
+    double worst = 0, row_error = 0;
+    std::vector<double> expansions;
+    for (std::size_t panel = 0; panel + 1 < divisor.edges().size();) {
+      const double begin = divisor.edges()[panel], end = divisor.edges()[panel + 1];
+      std::array<double, terms> values;
+      for (int i = 0; i < terms; ++i) {
+        const Brightest a = brightest(lobatto(begin, end, i), order, false);
+        values[static_cast<std::size_t>(i)] = std::log(a.value);
+        row_error = std::max(row_error, a.relative_error);
+      }
+      const auto expansion = chebyshev_expansion(values);
+      double error = 0;
+      for (const double t : tests) {
+        const Brightest a = brightest(begin + (end - begin) * (1 + t) / 2, order, true);
+        double sum = 0, previous = t, current = 1;
+        for (const double c : expansion) {
+          sum += c * current;
+          const double next = 2 * t * current - previous;
+          previous = current, current = next;
+        }
+        error = std::max(error, std::abs(std::log(a.value) - sum));
+        row_error = std::max(row_error, a.relative_error);
+      }
+      if (error > measured_share * tolerance && divisor.edges().size() <= panels_allowed() &&
+          end - begin > narrowest_panel) {
+        divisor.split(panel, (begin + end) / 2);
+        continue;
+      }
+      worst = std::max(worst, error);
+      expansions.insert(expansions.end(), expansion.begin(), expansion.end());
+      ++panel;
+    }
+    divisor.add_order(expansions);
+    if (order == 0) row_error = std::max(row_error, disagreement());
+    margins.push_back(unmeasured * worst + row_error + rounding);
+    bounds.push_back(std::expm1(margins.back()));
+    divisor.raise_last(margins.back());
+    if (!(bounds.back() <= tolerance)) status = Status::budget_exhausted;
+    split_at_kinks();
+  }
+
+  /// By how much the rows' albedo and that of the ordinary integration differ beyond what both know, at a few angles: a
+  /// lobe that the rows had missed would show.
+  double disagreement() {
+    double most = 0;
+    for (const double theta : {0.0, 35.0, 60.0, 80.0, 89.0}) {
+      const double x = -std::log(Direction::from_degrees(theta).cos_theta);
+      for (const double phi : {0.0, 90.0}) {
+        if (isotropic && phi > 0) continue;
+        const Estimate a = directional_albedo(model, Direction::from_degrees(theta, phi), {.tolerance = tolerance});
+        evaluations += a.evaluations;
+        const double change = std::log(a.value) - divisor.log_albedo(0, x);
+        if (isotropic || change > 0) most = std::max(most, std::abs(change) - a.error / a.value);
+      }
+    }
+    return std::max(most, 0.0);
+  }
+
+  /// Where the light from L itself begins or ends to be held by the floor of control or by 1, all of a_k's integrand
+  /// changes at once: a kink of the next tables.
+  void split_at_kinks() {
+    const int order = divisor.orders() - 1;
+    const auto branch = [&](double x) {
+      const double g = divisor.log_albedo(order, x), before = divisor.log_divisor(order, x, x);
+      if (divisor.control() == PumpControl::step && g < -x - same) return 1;
+      if (divisor.control() == PumpControl::total && before + g < -x - same) return 1;
+      return divisor.only_up() && g > same ? 2 : 0;
+    };
+    if (divisor.control() == PumpControl::none && !divisor.only_up()) return;
+    constexpr int steps = 32;
+    for (std::size_t panel = 0; panel + 1 < divisor.edges().size(); ++panel) {
+      const double begin = divisor.edges()[panel], end = divisor.edges()[panel + 1];
+      if (divisor.edges().size() > panels_allowed()) return;
+      const double aside = std::max(1e-2 * (end - begin), narrowest_panel);
+      for (int i = 0; i < steps; ++i) {
+        double before = begin + (end - begin) * i / steps, after = begin + (end - begin) * (i + 1) / steps;
+        const int which = branch(before);
+        if (branch(after) == which) continue;
+        for (int halving = 0; halving < 50; ++halving) {
+          const double middle = (before + after) / 2;
+          (branch(middle) == which ? before : after) = middle;
+        }
+        if (after - begin < aside || end - after < aside) continue;
+        divisor.split(panel, after);
+        break;
+      }
+    }
+  }
+};
+
+PumpSequence::PumpSequence(const Model& model, PumpControl control, bool only_up, double tolerance) {
+  check(model, tolerance);
+  std::vector<double> edges{0, 0.5, 1.2, 2.5, 5, 10, 23, 60, PumpDivisor::last_x};
+  parts_.reset(new Parts{model, tolerance, model.claims().isotropic, {std::move(edges), control, only_up}});
+  parts_->tabulate();
+}
+
+PumpSequence::~PumpSequence() = default;
+
+void PumpSequence::advance() { parts_->tabulate(); }
+
+const PumpDivisor& PumpSequence::divisor() const { return parts_->divisor; }
+
+double PumpSequence::albedo(int order, double cos_theta) const {
+  return std::exp(parts_->divisor.log_albedo(order, -std::log(cos_theta)) -
+                  parts_->margins[static_cast<std::size_t>(order)]);
+}
+
+double PumpSequence::upper(int order, double cos_theta) const {
+  return std::exp(parts_->divisor.log_albedo(order, -std::log(cos_theta)));
+}
+
+double PumpSequence::average(int order) const {
+  double sum = 0;
+  const std::vector<double>& edges = parts_->divisor.edges();
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    sum += boost::math::quadrature::gauss<double, 20>::integrate(
+        [&](double x) { return 2 * std::exp(-2 * x) * albedo(order, std::exp(-x)); }, edges[i],
+        std::min(edges[i + 1], edges[i] + 30));
+  }
+  return sum;
+}
+
+double PumpSequence::relative_bound(int order) const { return parts_->bounds[static_cast<std::size_t>(order)]; }
+Status PumpSequence::status() const { return parts_->status; }
+std::int64_t PumpSequence::evaluations() const { return parts_->evaluations; }
+int PumpSequence::rows() const { return parts_->row_count; }
+
+}  // namespace albedo
