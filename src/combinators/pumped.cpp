@@ -24,6 +24,22 @@ ModelInfo pumped_info(const ModelInfo& base) {
   return info;
 }
 
+/// Whether all tabulated albedos fall towards grazing incidence: then the max() of two has one kink, at equal cosines.
+bool falls(const PumpDivisor& divisor) {
+  constexpr double same = 1e-9, step = 0.05;
+  const auto orders = static_cast<std::size_t>(divisor.orders());
+  std::vector<double> before(orders), now(orders);
+  divisor.log_albedos(0, before.data());
+  for (double x = 0; x < PumpDivisor::last_x; x += x < 20 ? step : 1) {
+    divisor.log_albedos(x, now.data());
+    for (std::size_t k = 0; k < orders; ++k) {
+      if (now[k] > before[k] + same) return false;
+    }
+    before = now;
+  }
+  return true;
+}
+
 }  // namespace
 
 PumpedModel::PumpedModel(std::unique_ptr<Model> base, const PumpOptions& options)
@@ -39,6 +55,7 @@ PumpedModel::PumpedModel(std::unique_ptr<Model> base, const PumpOptions& options
   for (int k = 1; k < options.times; ++k) sequence.advance();
   divisor_ = std::make_unique<PumpDivisor>(sequence.divisor());
   status_ = sequence.status();
+  hidden_kinks_ = options.control != PumpControl::none || options.only_up || !falls(*divisor_);
 }
 
 Claims PumpedModel::claims() const {
@@ -61,7 +78,7 @@ Parameters PumpedModel::parameters() const {
 std::vector<Lobe> PumpedModel::lobes() const {
   std::vector<Lobe> lobes = base_->lobes();
   if (divisor_) {
-    for (Lobe& lobe : lobes) lobe.kink_equal_cosines = true;
+    for (Lobe& lobe : lobes) lobe.kink_equal_cosines = true, lobe.hidden_kinks = hidden_kinks_;
   }
   return lobes;
 }

@@ -22,6 +22,7 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
       : model_(model), component_(lobe.component), as_float_(as_float), warp_(lobe, l, tolerance) {
     this->panels_ = warp_.panels();
     this->truncation_ = warp_.truncation();
+    for (Panel& panel : this->panels_) panel.layered = panel.layered || lobe.hidden_kinks;
   }
 
   /// Where the lobe's own end begins or ends to be nearer than the horizon.

@@ -2,7 +2,6 @@
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 
@@ -15,7 +14,6 @@ namespace albedo {
 namespace {
 
 constexpr int terms = PumpDivisor::terms;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_panels = 64, most_panels_of_azimuths = 14;
 constexpr double azimuths_tolerance = 1e-6;  // what the largest over azimuths is not asked for less than
 constexpr double narrowest_panel = 1e-3;

@@ -10,8 +10,9 @@ namespace albedo {
 /// max(a_k(L), a_k(V)), and what PumpControl adds to that.
 ///
 /// The a_k are tables raised by their errors, so that a ≤ 1 holds for the model as it is evaluated, not only in exact
-/// arithmetic; it is reciprocal because D is symmetric. Each lobe stays a lobe, with a kink at equal cosines. Samplers
-/// are the base's, with the base's densities; so are parameters, after "times", "control" and "restriction".
+/// arithmetic; it is reciprocal because D is symmetric. Each lobe stays a lobe, with a kink at equal cosines;
+/// other kinks (of control's floor, of albedos that fall and rise) are no edges of its panels, but rules are told.
+/// Samplers are the base's, with the base's densities; so are parameters, after "times", "control" and "restriction".
 class PumpedModel final : public Model {
  public:
   /// @param base reciprocal, with an albedo that is finite and positive above the horizon
@@ -60,6 +61,7 @@ class PumpedModel final : public Model {
   PumpOptions options_;
   std::unique_ptr<const PumpDivisor> divisor_;  // none where times is 0
   Status status_ = Status::converged;
+  bool hidden_kinks_ = false;  // beside that at equal cosines
   ModelInfo info_;
 };
 

@@ -38,6 +38,7 @@ struct Lobe {
   double horizon_exponent = 1;      ///< f cosθ_V ~ cosθ_V^p at the horizon
   double growth = 1;  ///< beside its profile, the formula grows towards the lobe's end like r^(2 growth) at most
   bool horizon_layer = false;  ///< the formula changes over cosθ_V ~ width near the horizon (Smith masking)
+  bool hidden_kinks = false;   ///< the formula has kinks at places that no warp knows of: rules are to believe less
   double facet_width = 0;      ///< near_mirror: the facets' part of width_x, and of the layer along the horizon
 };
 
