@@ -1,6 +1,6 @@
 /// @file
-/// A list of materials: a JSON array, or JSON lines, of {"name": ..., "model": ..., "parameters": {...}} and, where a fit
-/// has them beside its model, "scale": a factor of the model, and "lambertian": the albedo of a Lambertian part.
+/// A list of materials: a JSON array, or JSON lines, of {"name": ..., "model": ..., "parameters": {...}} and, where a
+/// fit has them beside its model, "scale": a factor of the model, and "lambertian": the albedo of a Lambertian part.
 #pragma once
 
 #include <array>

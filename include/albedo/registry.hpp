@@ -124,8 +124,8 @@ std::unique_ptr<Model> make_model(const Parameters& parameters = {}) {
 ///
 /// To be called before other threads use the library; it invalidates iterators of model_infos().
 /// @throws ParameterError if there is a model of that name, if a name is not letters, digits and underscores or means
-/// something else on the command line (sum, coupled, theta, cos_theta, phi, weight), if two parameters share one, or if a
-/// default is outside its range
+/// something else on the command line (sum, coupled, theta, cos_theta, phi, weight), if two parameters share one, or if
+/// a default is outside its range
 template <class M>
 void register_model() {
   detail::require_model_struct<M>();
