@@ -11,6 +11,7 @@
 
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
+#include "albedo/core/larger.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -148,7 +149,7 @@ void MaterialTable::fill(const TableAxis& directions, double phi, const TableOpt
       continue;
     }
     if (estimate.status != Status::converged) ++unconverged_;
-    if (!(estimate.error <= worst_error_)) worst_error_ = estimate.error;  // keeps NaN
+    keep_larger(worst_error_, estimate.error);
   }
 
   const std::size_t gaps_in_row = columns - 1;

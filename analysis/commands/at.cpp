@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "albedo/core/larger.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
@@ -99,8 +100,7 @@ Facts facts_of(const std::vector<Result>& results) {
   for (const auto& [channel, theta, estimate, seconds, coherent] : results) {
     values.push_back(estimate.value);
     facts.evaluations = std::max(facts.evaluations, static_cast<double>(estimate.evaluations));
-    if (estimate.status != Status::divergent && !(estimate.error <= facts.error))
-      facts.error = estimate.error;  // keeps NaN
+    if (estimate.status != Status::divergent) keep_larger(facts.error, estimate.error);
   }
   const Extent extent = extent_of(values);
   facts.max = extent.max;

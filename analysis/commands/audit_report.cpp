@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "albedo/core/larger.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/output/csv_writer.hpp"
@@ -55,8 +56,8 @@ std::string sampler_text(const std::vector<SamplerAudit>& samplers) {
   double least_p = 1, integral = 0, mismatch = 0, weight = 0;
   for (const SamplerAudit& one : samplers) {
     least_p = std::min(least_p, one.p_value);
-    integral = std::max(integral, std::abs(one.density_integral.value - 1));
-    mismatch = std::max(mismatch, one.density_mismatch);
+    keep_larger(integral, std::abs(one.density_integral.value - 1));
+    keep_larger(mismatch, one.density_mismatch);
     const double deviation = std::abs(one.mean_weight.value - one.albedo.value);
     weight = std::max(weight, deviation / std::hypot(one.mean_weight.error, one.albedo.error));
   }

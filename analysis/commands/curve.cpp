@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/larger.hpp"
 #include "albedo/curve.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
@@ -147,7 +148,7 @@ Facts facts_of(const std::vector<ChannelCurve>& curves) {
     values.push_back(curve(0));
     for (const AlbedoCurve::Node& node : curve.nodes()) values.push_back(node.albedo.value);
     facts.mean += curve.average() / static_cast<double>(curves.size());
-    if (!(curve.relative_bound() <= facts.error)) facts.error = curve.relative_bound();  // keeps NaN
+    keep_larger(facts.error, curve.relative_bound());
     facts.evaluations += static_cast<double>(curve.evaluations());
   }
   const Extent extent = extent_of(values);

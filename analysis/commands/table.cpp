@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/larger.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
@@ -55,7 +56,7 @@ class StackedTables {
   void add(const AlbedoTable& table) {
     values_.insert(values_.end(), table.values().begin(), table.values().end());
     errors_.insert(errors_.end(), table.errors().begin(), table.errors().end());
-    if (!(table.worst_error() <= worst_error_)) worst_error_ = table.worst_error();  // keeps NaN
+    keep_larger(worst_error_, table.worst_error());
     interpolation_error_ = std::max(interpolation_error_, table.interpolation_error());
     unconverged_ += table.unconverged();
     divergent_ += table.divergent();

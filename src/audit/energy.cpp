@@ -89,7 +89,8 @@ class Search {
     AlbedoOptions other = options_;
     other.rule = options_.rule == Rule::kronrod ? Rule::gauss : Rule::kronrod;
     const Estimate second = directional_albedo(model_, l, other);
-    if (second.status == Status::converged) a.error = std::max(a.error, std::abs(a.value - second.value));
+    const double doubt = second.status == Status::converged ? 0 : second.error;
+    a.error = std::max(a.error, std::abs(a.value - second.value) + doubt);
   }
 
   const Model& model_;

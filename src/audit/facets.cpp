@@ -90,17 +90,20 @@ MaskingAudit audit_masking(const Model& model) {
       const Estimate one = furnace(model, *lobe, Direction::from_degrees(theta, phi));
       doubtful = doubtful || one.status != Status::converged;
       const double distance = std::abs(one.value - 1);
-      if (distance <= furthest) continue;
+      if (distance <= furthest || std::isnan(furthest)) continue;
       furthest = distance;
       audit.furthest = one;
       audit.theta_degrees = theta;
       audit.phi_degrees = phi;
     }
   }
-  audit.verdict = !model.claims().consistent_masking               ? Verdict::not_claimed
-                  : furthest > audit.furthest.error + slack        ? Verdict::fails
-                  : doubtful && audit.furthest.error > 100 * slack ? Verdict::undecided
-                                                                   : Verdict::pass;
+  const bool is_one = furthest <= audit.furthest.error + slack;  // not where it is NaN
+  const bool known = is_one ? !doubtful || audit.furthest.error <= 100 * slack
+                            : audit.furthest.status == Status::converged || audit.furthest.status == Status::non_finite;
+  audit.verdict = !model.claims().consistent_masking ? Verdict::not_claimed
+                  : !known                           ? Verdict::undecided
+                  : is_one                           ? Verdict::pass
+                                                     : Verdict::fails;
   return audit;
 }
 

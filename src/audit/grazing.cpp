@@ -179,7 +179,7 @@ Crossing critical_angle(const Model& model, const GrazingOptions& options, doubl
     std::uintmax_t iterations = 60;
     const auto f = [&](double at) { return excess(at).value - 1; };
     double low = f(before);
-    if (low >= 0) return {.exists = true, .cos_theta = std::exp(-before), .error = 0};  // 1 within the error there
+    if (low >= 0) return {.exists = true, .cos_theta = std::exp(-before), .error = std::exp(-before) - std::exp(-x)};
     const auto [left, right] = boost::math::tools::toms748_solve(
         f, before, x, low, a.value - 1, boost::math::tools::eps_tolerance<double>(30), iterations);
     const double middle = (left + right) / 2, slope = (a.value - 1 - low) / (x - before);

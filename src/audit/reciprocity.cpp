@@ -18,8 +18,9 @@ template <class T>
 T asymmetry(const Model& model, const Direction& l, const Direction& v) {
   using std::abs;
   const T there = brdf<T>(model, l, v), back = brdf<T>(model, v, l);
-  const T larger = there > back ? there : back;
-  return larger > 0 ? T(abs(T(there - back)) / larger) : T(0);
+  if (there == back) return 0;
+  const T size_there = abs(there), size_back = abs(back);
+  return T(abs(T(there - back))) / (size_there > size_back ? size_there : size_back);
 }
 
 /// A V for L: anywhere, or where one of the lobes is.
@@ -61,12 +62,14 @@ ReciprocityAudit audit_reciprocity(const Model& model) {
   }
   ReciprocityAudit audit{.pairs = static_cast<int>(found.size())};
   // in double, H of nearly opposite directions has lost digits: those that look worst are looked at again
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Found& a, const Found& b) { return !(a.asymmetry <= b.asymmetry); });
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    if (std::isnan(a.asymmetry) || std::isnan(b.asymmetry)) return std::isnan(a.asymmetry) > std::isnan(b.asymmetry);
+    return a.asymmetry > b.asymmetry;
+  });
   if (found.size() > looked_at_again) found.resize(looked_at_again);
   for (const auto& [rough, l, v] : found) {
     const double exact = static_cast<double>(asymmetry<Quad>(model, l, v));
-    if (exact <= audit.asymmetry) continue;
+    if (exact <= audit.asymmetry || std::isnan(audit.asymmetry)) continue;
     audit.asymmetry = exact, audit.l = l, audit.v = v;
   }
   audit.verdict = !model.claims().reciprocal ? Verdict::not_claimed

@@ -2,7 +2,10 @@
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <limits>
+#include <memory>
 
+#include "albedo/core/larger.hpp"
 #include "albedo/microfacet/sampling.hpp"
 #include "albedo/rules/gauss.hpp"
 #include "albedo/rules/kronrod.hpp"
@@ -167,6 +170,20 @@ void compare(const std::vector<double>& expected, const std::vector<double>& cou
       std::isfinite(audit.chi_squared) ? boost::math::cdf(boost::math::complement(distribution, audit.chi_squared)) : 0;
 }
 
+bool is_finite(const Sampled<double>& drawn) {
+  const auto [x, y, z] = drawn.viewer();
+  return std::isfinite(x + y + z + drawn.pair.slope_x + drawn.pair.slope_y);
+}
+
+/// Of a sampler that draws no direction.
+SamplerAudit nothing_known(SamplerAudit audit) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  audit.density_mismatch = audit.density_integral.value = audit.density_integral.error = nan;
+  audit.density_integral.status = Status::non_finite;
+  audit.p_value = 0;
+  return audit;
+}
+
 SamplerAudit look(const Model& model, const Lobe& lobe, double theta, double phi, const AlbedoOptions& options) {
   SamplerAudit audit{.component = lobe.component, .theta_degrees = theta, .phi_degrees = phi};
   const Direction direction = Direction::from_degrees(theta, phi);
@@ -178,6 +195,7 @@ SamplerAudit look(const Model& model, const Lobe& lobe, double theta, double phi
   };
   std::vector<Sampled<double>> pilot;
   for (std::uint32_t i = 0; i < pilot_count; ++i) pilot.push_back(draw(i, 0));
+  if (!std::ranges::all_of(pilot, is_finite)) return nothing_known(audit);
   std::unique_ptr<Chart> chart;
   if (lobe.shape == LobeShape::half_vector) {
     chart = std::make_unique<SlopeChart>(l, lobe);
@@ -189,13 +207,14 @@ SamplerAudit look(const Model& model, const Lobe& lobe, double theta, double phi
   std::vector<double> counts(static_cast<std::size_t>(cells.count())), expected;
   for (std::uint32_t i = 0; i < drawn_count; ++i) {
     const Sampled<double> drawn = draw(i, 1);
+    if (!is_finite(drawn)) return nothing_known(audit);
     const UnitVector<double> v = drawn.viewer();
     ++counts[static_cast<std::size_t>(cells.of(drawn))];
     if (v.z <= 0) audit.below_horizon += 1.0 / drawn_count;
     constexpr double opposite = 0.01;  // L + V loses the digits of H
     if (drawn.pair.cos_theta_d < opposite) continue;
     const double mismatch = std::abs(model.density(lobe.component, l, v) / drawn.density - 1);
-    if (!(mismatch <= audit.density_mismatch)) audit.density_mismatch = mismatch;
+    keep_larger(audit.density_mismatch, mismatch);
   }
   const auto density = [&](const UnitVector<double>& v) { return model.density(lobe.component, l, v); };
   Estimate& sum = audit.density_integral;

@@ -73,7 +73,7 @@ Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate 
   const double change = std::abs(limit.value - before.value);
   limit.evaluations += before.evaluations + earlier.evaluations;
   for (const Estimate* one : {&earlier, &before}) {
-    if (one->status == Status::non_finite) limit.status = one->status;
+    if (one->status == Status::non_finite || limit.status == Status::converged) limit.status = one->status;
   }
   if (limit.status == Status::non_finite) return limit;
   constexpr double decades = 100;
@@ -91,7 +91,7 @@ Estimate extrapolated(const Estimate& earlier, const Estimate& before, Estimate 
   }
   constexpr double vanishing = -0.1;
   if (growth < vanishing && as_power) {
-    return {0, 0, ErrorKind::extrapolated, limit.evaluations};
+    return {0, 0, ErrorKind::extrapolated, limit.evaluations, limit.status};
   }
   const bool as_logarithm =
       2 * change > std::abs(before.value - earlier.value) && change > 4 * (limit.error + before.error);

@@ -160,7 +160,7 @@ TEST(Audit, RefusesNonsense) {
 }
 
 /// Beckmann's facets without masking, with a fault of each kind: what it claims, it breaks.
-enum class Fault { none, energy, reciprocity, distribution, masking, density, quadrant, lying_density };
+enum class Fault { none, energy, reciprocity, distribution, masking, density, quadrant, lying_density, no_number };
 
 template <Fault fault>
 struct Faulty {
@@ -171,7 +171,9 @@ struct Faulty {
     return {number<Faulty, &Faulty::alpha_x>("alpha_x", roughness_range, "roughness along x")};
   }
   [[nodiscard]] Claims claims() const {
-    return {.isotropic = false, .distribution = Measure::projected, .consistent_masking = fault == Fault::masking};
+    return {.isotropic = false,
+            .distribution = Measure::projected,
+            .consistent_masking = fault == Fault::masking || fault == Fault::no_number};
   }
   [[nodiscard]] std::vector<Lobe> lobes() const { return {slope_lobe(0, Profile::gaussian, alpha_x, alpha_y)}; }
 
@@ -180,6 +182,7 @@ struct Faulty {
   T evaluate(int, const DirectionPair<T>& d) const noexcept {
     const T f = beckmann(d, alpha_x, alpha_y) / (4 * square(d.cos_theta_d));
     if constexpr (fault == Fault::energy) return T(f * T(1.01));
+    if constexpr (fault == Fault::no_number) return select(d.slope_x > T(0.5), T(f / T(0.0) * T(0.0)), f);
     if constexpr (fault == Fault::reciprocity) return T(f * (T(0.5) + d.cos_theta_l / 2));
     return f;
   }
@@ -189,11 +192,12 @@ struct Faulty {
   }
   template <class T>
   T facet_masking(const DirectionPair<T>& d) const noexcept {
-    return d.cos_theta_l;
+    return fault == Fault::no_number ? T(d.cos_theta_l / T(0.0) * T(0.0)) : d.cos_theta_l;
   }
   template <class T>
   Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
     Sampled<T> drawn = sample_beckmann(l, alpha_x, alpha_y, u, fault == Fault::quadrant ? T(v * T(0.75)) : v);
+    if constexpr (fault == Fault::no_number) drawn.pair.v_x = drawn.pair.v_x / T(0.0) * T(0.0);
     if constexpr (fault == Fault::lying_density) drawn.density = drawn.density * T(1.05);
     return drawn;
   }
@@ -224,6 +228,11 @@ TEST(Audit, FaultsAreFound) {
   EXPECT_EQ(audit_of_fault<Fault::density>().sampler_verdict(), Verdict::fails);
   EXPECT_EQ(audit_of_fault<Fault::lying_density>().sampler_verdict(), Verdict::fails);
   EXPECT_EQ(audit_of_fault<Fault::quadrant>().verdict(), Verdict::fails);
+  const Audit no_number = audit_of_fault<Fault::no_number>();
+  EXPECT_NE(no_number.energy.verdict, Verdict::pass);
+  EXPECT_EQ(no_number.reciprocity.verdict, Verdict::fails);
+  EXPECT_EQ(no_number.masking.verdict, Verdict::fails);
+  EXPECT_EQ(no_number.sampler_verdict(), Verdict::fails);
   for (const SamplerAudit& sampler : audit_of_fault<Fault::quadrant>().samplers) EXPECT_LT(sampler.p_value, 1e-6);
 }
 
