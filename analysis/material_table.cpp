@@ -133,6 +133,9 @@ void MaterialTable::fill(const TableAxis& directions, double phi, const TableOpt
   std::vector<Direction> lights;
   for (const double place : directions.values) lights.push_back(direction_at(directions.name, place, phi));
 
+  if (options.correction) {
+    parallel_for(rows_.size(), options, [&](std::size_t i) { rows_[i] = options.correction(std::move(rows_[i])); });
+  }
   std::vector<Estimate> estimates(rows_.size() * columns);
   parallel_for(estimates.size(), options, [&](std::size_t i) {
     estimates[i] = directional_albedo(*rows_[i / columns], lights[i % columns], options.albedo);

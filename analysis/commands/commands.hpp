@@ -30,6 +30,7 @@ Command add_table(CLI::App& program);
 Command add_audit(CLI::App& program);
 Command add_claims(CLI::App& program);
 Command add_pump(CLI::App& program);
+Command add_shader(CLI::App& program);
 Command add_divergence(CLI::App& program);
 Command add_tradeoff(CLI::App& program);
 Command add_stability(CLI::App& program);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "albedo/combinators/coupled.hpp"
-#include "albedo/combinators/pumped.hpp"
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/checks.hpp"
@@ -110,7 +109,7 @@ Combination combination_of(const std::string& name, const std::vector<std::strin
   return combination;
 }
 
-/// The model or combination, not pumped.
+/// The model or combination, not corrected.
 std::unique_ptr<Model> make_plain(const ModelArguments& given, const std::string& channel) {
   if (!is_combination(given.model)) return make_written({given.model, given.assignments()}, channel);
   const Combination combination = combination_of(given.model, given.parameters);
@@ -141,9 +140,9 @@ std::vector<std::string> ModelArguments::channels() const {
 }
 
 std::unique_ptr<Model> ModelArguments::make(const std::string& channel) const {
-  std::unique_ptr<Model> made = make_plain(*this, channel);
-  return pump.times == 0 ? std::move(made) : std::make_unique<PumpedModel>(std::move(made), pump);
+  return corrections.applied_to(make_plain(*this, channel));
 }
+
 std::vector<ModelArguments> split_models(const std::vector<std::string>& words) {
   std::vector<ModelArguments> models;
   for (const std::string& word : words) {
@@ -175,18 +174,29 @@ std::vector<CLI::Option*> add_pump_kind(CLI::App& command, PumpOptions& options)
           command.add_flag("--only-up", options.only_up, "an albedo above 1 stays as it is: g <= 1 (eq. 17)")};
 }
 
-void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_pump) {
+void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_correct) {
   CLI::Option* const model =
       command.add_option("MODEL", arguments.model, "the reflectance model's name, sum or coupled")->type_name("");
   command
       .add_option("PARAMETERS", arguments.parameters,
                   "its parameters, each as NAME=VALUE; the parts of a sum, each as MODEL:NAME=VALUE,...")
       ->type_name("");
-  if (!can_pump) return;
-  CLI::Option* const pump = add_integer(command, "--pump", arguments.pump.times, 0, PumpOptions::most_times,
-                                        "the model with its albedo pumped up so many times (Neumann 1999)")
-                                ->needs(model);
-  for (CLI::Option* const option : add_pump_kind(command, arguments.pump)) option->needs(pump);
+  if (can_correct) add_corrections(command, arguments.corrections, model);
+}
+
+void add_corrections(CLI::App& command, Corrections& corrections, CLI::Option* needed) {
+  std::vector<CLI::Option*> options = add_pump_kind(command, corrections.pump);
+  CLI::Option* const pump = add_integer(command, "--pump", corrections.pump.times, 0, PumpOptions::most_times,
+                                        "the model with its albedo pumped up so many times (Neumann 1999)");
+  for (CLI::Option* const option : options) option->needs(pump);
+  add_choice(command, "--correct", all_corrections, corrections.correct,
+             "what is done to its energy then: balanced to rho everywhere; Kulla and Conty's complement added, or "
+             "scaled after Turquin, which bring back rho of the light that is lost");
+  CLI::Option* const correct = command.get_option("--correct");
+  CLI::Option* const rho = add_real(command, "--rho", corrections.rho, 0, 1, "of --correct");
+  rho->needs(correct);
+  if (needed == nullptr) return;
+  for (CLI::Option* const option : {pump, correct}) option->needs(needed);
 }
 
 std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment) {
@@ -217,6 +227,20 @@ nlohmann::ordered_json model_json(const Model& model, bool several_channels) {
     });
   }
   return {{"model", model.info().name}, {"parameters", parameters_json(parameters)}};
+}
+
+nlohmann::ordered_json corrections_json(const Corrections& corrections) {
+  auto object = nlohmann::ordered_json::object();
+  if (corrections.pump.times > 0) {
+    object = {{"pump", corrections.pump.times},
+              {"control", name_of(corrections.pump.control)},
+              {"only_up", corrections.pump.only_up}};
+  }
+  if (corrections.correct != Correction::none) {
+    object["correct"] = name_of(corrections.correct);
+    object["rho"] = corrections.rho;
+  }
+  return object;
 }
 
 std::string parameters_text(const Parameters& parameters, int digits) {

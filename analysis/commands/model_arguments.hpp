@@ -1,6 +1,7 @@
 /// @file
 /// MODEL [PARAM=VALUE]... on the command line, or a combination of parts MODEL[:PARAM=VALUE[,PARAM=VALUE]...]: sum
-/// PART..., coupled PART [r_m=VALUE]. Any of them may be pumped: --pump K --control none|step|total --only-up.
+/// PART..., coupled PART [r_m=VALUE]. Any of them may be corrected: --pump K --control none|step|total --only-up, then
+/// --correct balance|multiscatter|turquin --rho VALUE.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,9 +12,9 @@
 #include <vector>
 
 #include "albedo/core/model.hpp"
-#include "albedo/pumping.hpp"
 #include "analysis/input/assertion.hpp"
 #include "analysis/input/value.hpp"
+#include "analysis/studies/corrections.hpp"
 
 namespace albedo::analysis {
 
@@ -28,7 +29,7 @@ bool is_combination(const std::string& name);
 struct ModelArguments {
   std::string model;
   std::vector<std::string> parameters;  ///< NAME=VALUE, or the parts of a sum; `weight` scales a part
-  PumpOptions pump{.times = 0};         ///< what make() does to the model; 0: nothing
+  Corrections corrections{};            ///< what make() does to the model
 
   /// @throws ParameterError if there is no model, or an argument is not NAME=VALUE
   [[nodiscard]] std::vector<Assignment> assignments() const;
@@ -46,12 +47,15 @@ std::vector<ModelArguments> split_models(const std::vector<std::string>& words);
 /// @throws ParameterError for an --assert of at(...) where there are several channels
 void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels);
 
-/// Adds MODEL and PARAMETERS and, where the command makes its models by make(), --pump, --control and --only-up.
-void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_pump = true);
+/// Adds MODEL and PARAMETERS and, unless the command has corrections of its own, those that make() applies.
+void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_correct = true);
 
 /// As on the command line.
 std::string name_of(PumpControl control);
 inline constexpr std::array all_controls{PumpControl::none, PumpControl::step, PumpControl::total};
+
+/// Adds --pump, --control, --only-up, --correct and --rho, which ask for what `needed` is, if anything.
+void add_corrections(CLI::App& command, Corrections& corrections, CLI::Option* needed);
 
 /// Adds --control and --only-up, which say how a model is pumped.
 std::vector<CLI::Option*> add_pump_kind(CLI::App& command, PumpOptions& options);
@@ -65,6 +69,9 @@ void check_set_once(const ModelInfo& model, const std::vector<std::string>& name
 
 /// {"model": "ward", "parameters": {...}}; without the channel where there are several.
 nlohmann::ordered_json model_json(const Model& model, bool several_channels);
+
+/// {"pump": 2, "control": "none", "only_up": false, "correct": "balance", "rho": 1}, as far as they do anything
+nlohmann::ordered_json corrections_json(const Corrections& corrections);
 
 /// alpha_x=0.1 masking=none, numbers with so many digits
 std::string parameters_text(const Parameters& parameters, int digits = 17);

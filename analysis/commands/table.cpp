@@ -110,6 +110,7 @@ void check_at(const std::vector<Assertion>& assertions, const std::vector<Axis>&
 /// Writes the table and says what was asked for.
 int conclude(const Arguments& arguments, const Filled& table, Json provenance, double seconds) {
   provenance["axes"] = describe_axes(table.axes);
+  if (arguments.model.corrections.any()) provenance["corrections"] = corrections_json(arguments.model.corrections);
   arguments.options.describe(provenance);
   provenance["largest_error"] = table.worst_error;
   provenance["interpolation_error"] = table.interpolation_error;
@@ -164,6 +165,10 @@ int run(const Arguments& arguments, const std::string& command_line) {
                        .threads = arguments.options.threads,
                        .keep_errors = arguments.errors,
                        .progress = [&progress](std::size_t done, std::size_t total) { progress.update(done, total); }};
+  const Corrections& corrections = arguments.model.corrections;
+  if (corrections.any()) {
+    options.correction = [&](std::unique_ptr<Model> model) { return corrections.applied_to(std::move(model)); };
+  }
   Json provenance = begin_provenance(command_line);
 
   if (!arguments.materials.empty()) {
@@ -206,6 +211,7 @@ Command add_table(CLI::App& program) {
   CLI::App* const app =
       program.add_subcommand("table", "an N-dimensional table over parameters and directions, or of materials");
   add_model_arguments(*app, arguments->model, false);
+  add_corrections(*app, arguments->model.corrections, nullptr);
   app->get_option("PARAMETERS")
       ->description(
           "NAME=VALUE fixes, NAME=FROM:TO:COUNT[:log] or NAME=A,B,... varies; also cos_theta, theta, phi (degrees)");

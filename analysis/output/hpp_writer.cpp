@@ -76,7 +76,7 @@ void write_hpp(const TableDocument& table, const std::string& path) {
   write_array(out, "std::size_t", name + "_shape", table.axes.size(),
               [&](std::size_t i) { return std::to_string(table.axes[i].size()); });
   for (const Axis& axis : table.axes) write_axis(out, name + "_axis_" + identifier(axis.name), axis);
-  out << "\n/// Directional albedo in C order: the last axis runs fastest.\n";
+  out << "\n/// Entries in C order: the last axis runs fastest.\n";
   write_array(out, "double", name + "_values", table.size(),
               [&](std::size_t i) { return double_literal(table.values[i]); });
   file.commit();

@@ -4,6 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "albedo/combinators/balanced.hpp"
+#include "albedo/curve.hpp"
+
 namespace albedo::analysis {
 namespace {
 
@@ -89,7 +92,7 @@ class Radiance {
 /// Extremes over all angles, between the ends of every panel of the tables.
 void find_extremes(const PumpSequence& sequence, int order, PumpedOrder& result) {
   constexpr int steps = 64;
-  const std::vector<double>& edges = sequence.divisor().edges();
+  const std::vector<double>& edges = sequence.divisor().albedos.edges();
   result.largest = result.smallest = sequence.albedo(order, 1);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     for (int step = 1; step <= steps; ++step) {
@@ -108,6 +111,34 @@ int PumpStudy::worth() const {
     if (orders[k + 1].average - orders[k].average < little * orders[k].average) return static_cast<int>(k);
   }
   return -1;
+}
+
+CorrectedModel study_correction(std::unique_ptr<Model> model, Correction correction, double rho, double tolerance) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  const std::unique_ptr<Model> made = Corrections{.correct = correction, .rho = rho}.applied_to(std::move(model));
+  CorrectedModel corrected{.correction = correction};
+  PumpedOrder& numbers = corrected.numbers;
+  numbers.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  const AlbedoCurve curve(*made, {.albedo = {.tolerance = tolerance}});
+  corrected.status = curve.status();
+  numbers.relative_bound = curve.relative_bound();
+  numbers.average = curve.average();
+  numbers.largest = numbers.smallest = curve(0);
+  for (const AlbedoCurve::Node& node : curve.nodes()) {
+    numbers.largest = std::max(numbers.largest, node.albedo.value);
+    numbers.smallest = std::min(numbers.smallest, node.albedo.value);
+  }
+  numbers.distance = std::max(std::abs(numbers.largest - 1), std::abs(numbers.smallest - 1));
+  Radiance(*made).find(PumpDivisor(PumpControl::none, false), numbers);
+  if (const auto* balanced = dynamic_cast<const BalancedModel*>(made.get())) {
+    const Balance& balance = balanced->balance();
+    corrected.iterations = balance.iterations();
+    corrected.rate = balance.rate();
+    numbers.evaluations = balance.evaluations();
+    if (balance.status() != Status::converged) corrected.status = balance.status();
+  }
+  return corrected;
 }
 
 PumpStudy study_pumping(const Model& model, const PumpOptions& options) {

@@ -2,9 +2,11 @@
 /// What becomes of a model that is pumped again and again.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "albedo/pumping.hpp"
+#include "analysis/studies/corrections.hpp"
 
 namespace albedo::analysis {
 
@@ -30,6 +32,18 @@ struct PumpStudy {
   /// The first order after which the average albedo gains less than that; −1 if all gain more.
   [[nodiscard]] int worth() const;
 };
+
+/// The model after another correction, in the same numbers; those of the albedo come from its curve.
+struct CorrectedModel {
+  Correction correction = Correction::none;
+  PumpedOrder numbers{};
+  Status status = Status::converged;
+  int iterations = 0;  ///< of balance
+  double rate = 0;     ///< by which each of the last ones made its error shrink
+};
+
+/// @throws ParameterError as Corrections::applied_to does
+CorrectedModel study_correction(std::unique_ptr<Model> model, Correction correction, double rho, double tolerance);
 
 /// @throws ParameterError as PumpSequence does
 PumpStudy study_pumping(const Model& model, const PumpOptions& options);

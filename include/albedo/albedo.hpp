@@ -5,7 +5,10 @@
 /// Start at albedo::make_model and albedo::directional_albedo; albedo::AlbedoCurve and albedo::AlbedoTable tabulate.
 
 #include "albedo/audit.hpp"
+#include "albedo/balance.hpp"
 #include "albedo/bounds.hpp"
+#include "albedo/combinators/balanced.hpp"
+#include "albedo/combinators/compensated.hpp"
 #include "albedo/combinators/coupled.hpp"
 #include "albedo/combinators/pumped.hpp"
 #include "albedo/combinators/sum.hpp"

@@ -7,6 +7,7 @@
 
 #include "albedo/core/estimate.hpp"
 #include "albedo/core/model.hpp"
+#include "albedo/cosine_tables.hpp"
 
 namespace albedo {
 
@@ -29,56 +30,38 @@ struct PumpOptions {
   double tolerance = 1e-8;  ///< of the tabulated albedos, relative; within [1e-12, 0.1]
 };
 
-/// D_K(L,V) = g_1 g_2 … g_K, by which K pumpings divide f: one-variate tables of ln a_k over x = −ln cosθ, piecewise
-/// Chebyshev expansions of one degree on panels that all orders share. Every table is raised by its error, so that it
-/// bounds a_k from above.
+/// D_K(L,V) = g_1 g_2 … g_K, by which K pumpings divide f, from tables of the a_k. Every table is raised by its error,
+/// so that it bounds a_k from above.
 class PumpDivisor {
  public:
-  static constexpr int terms = 11;        ///< of an expansion
-  static constexpr double last_x = 138;   ///< cosθ ~ 1e-60; the tables end there, and what is beyond is as there
-  using Expansion = std::vector<double>;  ///< orders × terms, of one panel
+  PumpDivisor(PumpControl control, bool only_up) : control_(control), only_up_(only_up) {}
 
-  PumpDivisor(std::vector<double> edges, PumpControl control, bool only_up)
-      : edges_(std::move(edges)), expansions_(edges_.size() - 1), control_(control), only_up_(only_up) {}
-
-  [[nodiscard]] int orders() const { return orders_; }
+  [[nodiscard]] int orders() const { return albedos.count(); }
   [[nodiscard]] PumpControl control() const { return control_; }
   [[nodiscard]] bool only_up() const { return only_up_; }
-  [[nodiscard]] const std::vector<double>& edges() const { return edges_; }
 
   /// ln of the tabulated bound of a_k.
-  [[nodiscard]] double log_albedo(int order, double x) const;
-  /// The same of all orders, in `values`.
-  void log_albedos(double x, double* values) const;
+  [[nodiscard]] double log_albedo(int order, double x) const { return albedos.log(order, x); }
 
-  /// ln D after the step that follows `before`, from the two bounds.
-  [[nodiscard]] double step(double before, double log_l, double log_v, double x_l, double x_v) const {
-    double g = log_l > log_v ? log_l : log_v;
-    const double floor = -(x_l < x_v ? x_l : x_v);
-    if (control_ == PumpControl::step && g < floor) g = floor;
-    if (only_up_ && g > 0) g = 0;
-    const double after = before + g;
-    return control_ == PumpControl::total && after < floor ? floor : after;
+  /// ln D after the step that follows `before`, from the two bounds; T is double or Block.
+  template <class T>
+  [[nodiscard]] T step(const T& before, double log_l, const T& log_v, double x_l, const T& x_v) const {
+    const T floor = -min(T(x_l), x_v);
+    T g = max(T(log_l), log_v);
+    if (control_ == PumpControl::step) g = max(g, floor);
+    if (only_up_) g = min(g, T(0));
+    const T after = before + g;
+    return control_ == PumpControl::total ? max(after, floor) : after;
   }
 
   /// ln D_k of the first k orders, k ≤ orders().
   [[nodiscard]] double log_divisor(int k, double x_l, double x_v) const;
 
-  /// Joins another order: its expansion on each panel, terms() numbers one after the other.
-  void add_order(const std::vector<double>& expansions);
-  /// Adds to the last order's ln a_k.
-  void raise_last(double by);
-  /// Divides a panel at x; the tables stay what they are.
-  void split(std::size_t panel, double x);
+  CosineTables albedos{};  ///< the bounds of a_0, a_1, …
 
  private:
-  [[nodiscard]] std::size_t basis(double x, double* values) const;
-
-  std::vector<double> edges_;
-  std::vector<Expansion> expansions_;
   PumpControl control_;
   bool only_up_;
-  int orders_ = 0;
 };
 
 /// The albedos a_0, a_1, … of a model that is pumped again and again.

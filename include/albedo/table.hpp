@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct TableOptions {
   int threads = 0;           ///< 0: as many as OpenMP would use
   bool keep_errors = false;  ///< keep every entry's error too
   int verified_cells = 256;  ///< cells at whose centre linear interpolation is compared with the albedo; 0 for none
+  /// What becomes of a model before its albedo is integrated, such as pumping; nothing if it is empty. Called from any
+  /// thread, once for each set of parameters.
+  std::function<std::unique_ptr<Model>(std::unique_ptr<Model>)> correction{};
   std::function<void(std::size_t done, std::size_t total)>
       progress{};  ///< called from the constructor's thread, 10 times a second at most
 };

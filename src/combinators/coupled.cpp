@@ -1,10 +1,9 @@
 #include "albedo/combinators/coupled.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <sstream>
 
-#include "albedo/core/errors.hpp"
 #include "albedo/registry.hpp"
+#include "combinators/check.hpp"
 
 namespace albedo {
 namespace {
@@ -39,16 +38,10 @@ std::vector<Parameter<TabulatedMatte>> TabulatedMatte::parameters() {
 
 std::unique_ptr<Model> coupled(std::unique_ptr<Model> surface, double r_m, double tolerance) {
   if (!surface) throw ParameterError("coupled: there is no surface model and there must be one");
-  if (!(r_m >= 0 && r_m <= 1)) {
-    std::ostringstream message;
-    message << "coupled: r_m is " << r_m << " and must be within [0, 1]";
-    throw ParameterError(message.str());
-  }
+  check_number("coupled: r_m", r_m, {0, 1}, "[0, 1]");
+  check_isotropic("coupled", *surface);
   const Claims claims = surface->claims();
   const std::string name = surface->info().name;
-  if (!claims.isotropic) {
-    throw ParameterError("coupled: " + name + " is anisotropic for these parameters and must be isotropic");
-  }
   if (!claims.conserves_energy) {
     throw ParameterError("coupled: " + name +
                          " doesn't claim to conserve energy for these parameters and must leave 1 - R for the body");

@@ -7,8 +7,11 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <future>
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <sstream>
 
 #include "albedo/core/errors.hpp"
@@ -108,12 +111,40 @@ std::size_t entry_count(const std::vector<TableAxis>& axes) {
   return count;
 }
 
+/// Corrected models, which are worth keeping, by the values of the parameters that vary. Whoever comes first makes one.
+class CorrectedModels {
+ public:
+  using Shared = std::shared_ptr<const Model>;
+
+  template <class Make>
+  Shared get(const std::vector<double>& place, const Make& make) {
+    std::promise<Shared> promise;
+    std::unique_lock lock(mutex_);
+    const auto [found, is_new] = models_.try_emplace(place);
+    if (is_new) found->second = promise.get_future().share();
+    const std::shared_future<Shared> result = found->second;
+    lock.unlock();
+    if (is_new) {
+      try {
+        promise.set_value(make());
+      } catch (...) {
+        promise.set_exception(std::current_exception());
+      }
+    }
+    return result.get();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::vector<double>, std::shared_future<Shared>> models_;
+};
+
 /// The albedo at places of the grid, or between; its model is made when a parameter changes.
 class Entry {
  public:
   Entry(const std::string& name, const Parameters& fixed, const std::vector<TableAxis>& axes,
-        const AlbedoOptions& options)
-      : name_(name), fixed_(fixed), axes_(axes), options_(options) {}
+        const TableOptions& options, CorrectedModels& corrected)
+      : name_(name), fixed_(fixed), axes_(axes), options_(options), corrected_(corrected) {}
 
   /// @param place one value for each axis
   Estimate operator()(const std::vector<double>& place) {
@@ -137,23 +168,32 @@ class Entry {
       }
     }
     if (!is_same) {
-      Parameters parameters = fixed_;
-      for (std::size_t i = 0; i < axes_.size(); ++i) {
-        if (kind_of(axes_[i]) == AxisKind::parameter) parameters.emplace_back(axes_[i].name, place[i]);
-      }
-      model_ = make_model(name_, parameters);
+      model_ = model_at(place);
       place_ = place;
     }
     const Direction l = theta != nullptr ? Direction::from_degrees(*theta, phi) : Direction::from_cosine(*cosine, phi);
-    return directional_albedo(*model_, l, options_);
+    return directional_albedo(*model_, l, options_.albedo);
   }
 
  private:
+  [[nodiscard]] std::shared_ptr<const Model> model_at(const std::vector<double>& place) const {
+    Parameters parameters = fixed_;
+    std::vector<double> varied;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      if (kind_of(axes_[i]) != AxisKind::parameter) continue;
+      parameters.emplace_back(axes_[i].name, place[i]);
+      varied.push_back(place[i]);
+    }
+    if (!options_.correction) return make_model(name_, parameters);
+    return corrected_.get(varied, [&] { return options_.correction(make_model(name_, parameters)); });
+  }
+
   const std::string& name_;
   const Parameters& fixed_;
   const std::vector<TableAxis>& axes_;
-  const AlbedoOptions& options_;
-  std::unique_ptr<Model> model_;
+  const TableOptions& options_;
+  CorrectedModels& corrected_;
+  std::shared_ptr<const Model> model_;
   std::vector<double> place_;
 };
 
@@ -283,8 +323,9 @@ AlbedoTable::AlbedoTable(const std::string& model, const Parameters& fixed, std:
     std::size_t worst_entry = 0, unconverged = 0, divergent = 0;
     std::int64_t evaluations = 0;
   };
+  CorrectedModels corrected;
   const auto make_share = [&] {
-    return Share{{model, fixed, axes_, options.albedo}, std::vector<double>(axes_.size())};
+    return Share{{model, fixed, axes_, options, corrected}, std::vector<double>(axes_.size())};
   };
   double worst = -1;
   Progress progress(options, count);

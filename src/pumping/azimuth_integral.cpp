@@ -82,7 +82,7 @@ Block AzimuthIntegral::evaluate(const Ring& ring, const Block& quarters, double 
 /// The trapezoidal rule, which is exact to a power of the number of its nodes for a smooth function of period 2π;
 /// nodes are doubled. Returns whether that was good enough.
 bool AzimuthIntegral::over_turn(const Ring& ring, double absolute, double relative, Result& result) {
-  constexpr int first = 16, last = 128;
+  constexpr int first = 8, last = 128;
   const auto sum = [&](int count, double offset, int parts) {  // of nodes (i + offset) π / parts
     double total = 0;
     for (const double side : {1.0, -1.0}) {

@@ -14,7 +14,6 @@ constexpr std::size_t most_panels = 400;
 constexpr double narrowest = 1e-10;     // panel
 constexpr double share = 1.0 / 200;     // of the tolerance, for a panel
 constexpr double own_share = 1.0 / 20;  // of the tolerance, for a panel with that much of its own integral
-constexpr double same = 1e-11;          // of ln a: a flat albedo's rounding makes no kinks
 
 const Nodes<double>& gauss_nodes() {
   static const Nodes<double>& rule = nodes_of<double>(AxisKind::interval, 16);
@@ -22,14 +21,21 @@ const Nodes<double>& gauss_nodes() {
 }
 
 /// What the last coefficients of an expansion leave open.
-template <class Values>
-double last_coefficients(const Values& values) {
-  const Nodes<double>& rule = gauss_nodes();
-  const auto terms = static_cast<std::size_t>(rule.terms);
+double last_coefficients(const std::array<double, 16>& values) {
+  constexpr std::size_t last = 3;
+  static const auto rows = [] {
+    const Nodes<double>& rule = gauss_nodes();
+    const auto terms = static_cast<std::size_t>(rule.terms);
+    std::array<std::array<double, 16>, last> of_coefficient{};
+    for (std::size_t k = 0; k < last; ++k) {
+      for (std::size_t i = 0; i < 16; ++i) of_coefficient[k][i] = rule.transform[i * terms + terms - last + k];
+    }
+    return of_coefficient;
+  }();
   double largest = 0;
-  for (std::size_t k = terms - 3; k < terms; ++k) {
+  for (const auto& row : rows) {
     double c = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) c += rule.transform[i * terms + k] * values[i];
+    for (std::size_t i = 0; i < values.size(); ++i) c += row[i] * values[i];
     largest = std::max(largest, std::abs(c));
   }
   return largest;
@@ -38,7 +44,7 @@ double last_coefficients(const Values& values) {
 }  // namespace
 
 KernelRow::KernelRow(const Model& model, double x_l, double azimuth, double tolerance)
-    : x_l_(x_l), tolerance_(tolerance) {
+    : x_l_(x_l), tolerance_(tolerance), same_(std::max(1e-11, share * tolerance)) {
   Direction l = Direction::from_degrees(0, azimuth);
   l.cos_theta = std::exp(-x_l), l.sin_theta = std::sqrt(-std::expm1(-2 * x_l));
   coherent_ = static_cast<double>(model.coherent_albedo(l));
@@ -124,93 +130,106 @@ KernelRow::Panel KernelRow::evaluated(AzimuthIntegral& flux, double begin, doubl
   return panel;
 }
 
-KernelRow::Panel KernelRow::part_of(const Panel& panel, double begin, double end, const PumpDivisor& divisor) const {
+Block KernelRow::Panel::places(std::size_t i) const {
+  return begin + width() * Block::load(gauss_nodes().position.data() + i);
+}
+
+KernelRow::Panel KernelRow::part_of(const Panel& panel, double begin, double end) {
   const Nodes<double>& rule = gauss_nodes();
   Panel part{begin, end};
-  const double width = panel.end - panel.begin;
-  part.error = panel.error * (end - begin) / width;
+  part.error = panel.error * part.width() / panel.width();
   const auto terms = static_cast<std::size_t>(rule.terms);
   Values coefficients{};
   for (std::size_t i = 0; i < nodes; ++i) {
     for (std::size_t k = 0; k < nodes; ++k) coefficients[k] += rule.transform[i * terms + k] * panel.flux[i];
   }
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const double x = begin + (end - begin) * rule.position[i], t = 2 * (x - panel.begin) / width - 1;
-    double sum = 0, previous = 0, current = 1;  // P_k by its recurrence
+  for (std::size_t i = 0; i < nodes; i += block_width) {
+    const Block t = 2 * (part.places(i) - panel.begin) / panel.width() - 1;
+    Block sum = 0, previous = 0, current = 1;  // P_k by its recurrence
     for (std::size_t k = 0; k < nodes; ++k) {
       sum += coefficients[k] * current;
       const auto degree = static_cast<double>(k);
-      const double next = ((2 * degree + 1) * t * current - degree * previous) / (degree + 1);
+      const Block next = ((2 * degree + 1) * t * current - degree * previous) / (degree + 1);
       previous = current, current = next;
     }
-    part.flux[i] = sum;
-    part.log_d[i] = divisor.log_divisor(order_, x_l_, x);
+    sum.store(part.flux.data() + i);
   }
   return part;
 }
 
+void KernelRow::divide(std::size_t panel, double x) {
+  const Panel whole = panels_[panel];
+  panels_[panel] = part_of(whole, whole.begin, x);
+  panels_.insert(panels_.begin() + static_cast<std::ptrdiff_t>(panel) + 1, part_of(whole, x, whole.end));
+}
+
+void KernelRow::divide(std::size_t panel, double x, const PumpDivisor& divisor) {
+  divide(panel, x);
+  for (const std::size_t half : {panel, panel + 1}) {
+    Panel& part = panels_[half];
+    for (std::size_t i = 0; i < nodes; ++i) {
+      part.log_d[i] = divisor.log_divisor(order_, x_l_, part.begin + part.width() * gauss_nodes().position[i]);
+    }
+  }
+}
+
 /// Which terms of the next step's max() and min() hold: where that changes, D has a kink.
-int KernelRow::branch(const PumpDivisor& divisor, double log_d, double log_v, double x_v) const {
-  const bool from_v = log_v > log_l_ + same;
+int KernelRow::branch(const PumpDivisor& divisor, double x_v, double log_v) const {
+  const bool from_v = log_v > log_l_ + same_;
   double g = from_v ? log_v : log_l_;
   const double floor = -std::min(x_l_, x_v);
   int which = from_v ? 1 : 0;
-  if (divisor.control() == PumpControl::step && g < floor - same) g = floor, which = 2;
-  if (divisor.only_up() && g > same) g = 0, which = 3;
-  return divisor.control() == PumpControl::total && log_d + g < floor - same ? 4 : which;
+  if (divisor.control() == PumpControl::step && g < floor - same_) g = floor, which = 2;
+  if (divisor.only_up() && g > same_) g = 0, which = 3;
+  if (divisor.control() != PumpControl::total) return which;
+  return divisor.log_divisor(order_, x_l_, x_v) + g < floor - same_ ? 4 : which;
 }
 
 void KernelRow::divide_at_kinks(const PumpDivisor& divisor) {
-  const Nodes<double>& rule = gauss_nodes();
-  std::array<std::size_t, nodes> ascending;
-  for (std::size_t i = 0; i < nodes; ++i) ascending[i] = i;
-  std::sort(ascending.begin(), ascending.end(),
-            [&](std::size_t i, std::size_t j) { return rule.position[i] < rule.position[j]; });
-  const auto branch_at = [&](double x) {
-    return branch(divisor, divisor.log_divisor(order_, x_l_, x), divisor.log_albedo(order_, x), x);
-  };
+  const auto branch_at = [&](double x) { return branch(divisor, x, divisor.log_albedo(order_, x)); };
   for (std::size_t p = 0; p < panels_.size() && panels_.size() < most_panels; ++p) {
     const double begin = panels_[p].begin, end = panels_[p].end, width = end - begin;
-    const double aside = 1e-4 * width;  // a kink that near an end is no kink to the rule
     if (width < 1e-6) continue;
-    double before = begin + aside;
-    int which = branch_at(before), other = which;
-    double after = end - aside;
-    for (const std::size_t i : ascending) {
-      const double x = begin + width * rule.position[i];
-      other = branch(divisor, panels_[p].log_d[i], divisor.log_albedo(order_, x), x);
-      if (other != which) {
-        after = x;
-        break;
+    constexpr int steps = 2 * block_width - 1;
+    constexpr double aside = 1e-4;  // of a panel: a kink that near an end is no kink to the rule
+    double before = 0, after = -1;
+    int which = -1;
+    for (int i = 0; i <= steps && after < 0; i += block_width) {
+      const Block x =
+          Block::generate([&](int lane) { return begin + width * (aside + (1 - 2 * aside) * (i + lane) / steps); });
+      const Block log_v = divisor.albedos.log(order_, x);
+      for (int lane = 0; lane < block_width; ++lane) {
+        const int other = branch(divisor, x[lane], log_v[lane]);
+        if (which >= 0 && other != which) {
+          after = x[lane];
+          break;
+        }
+        which = other, before = x[lane];
       }
-      before = x;
     }
-    if (other == which) {
-      after = end - aside;
-      other = branch_at(after);
-    }
-    if (other == which) continue;
+    if (after < 0) continue;
     for (int halving = 0; halving < 40; ++halving) {
       const double middle = (before + after) / 2;
       (branch_at(middle) == which ? before : after) = middle;
     }
-    const Panel whole = panels_[p];
-    panels_[p] = part_of(whole, begin, after, divisor);
-    panels_.insert(panels_.begin() + static_cast<std::ptrdiff_t>(p) + 1, part_of(whole, after, end, divisor));
+    divide(p, after, divisor);
   }
 }
 
 /// The sum of flux / D and what the rule leaves of it.
-void KernelRow::weigh(Panel& panel) const {
+void KernelRow::weigh(Panel& panel) {
   const Nodes<double>& rule = gauss_nodes();
   Values values;
-  const double width = panel.end - panel.begin;
-  panel.sum = 0;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    values[i] = panel.flux[i] * std::exp(-panel.log_d[i]);
-    panel.sum += width * rule.weight[i] * values[i];
+  Block sum = 0;
+  for (std::size_t i = 0; i < nodes; i += block_width) {
+    const Block value = Block::load(panel.flux.data() + i) * exp(-Block::load(panel.log_d.data() + i));
+    value.store(values.data() + i);
+    sum += Block::load(rule.weight.data() + i) * value;
   }
-  panel.doubt = width * last_coefficients(values);
+  panel.sum = 0;
+  for (int lane = 0; lane < block_width; ++lane) panel.sum += sum[lane];
+  panel.sum *= panel.width();
+  panel.doubt = panel.width() * last_coefficients(values);
 }
 
 void KernelRow::conclude() {
@@ -226,11 +245,10 @@ void KernelRow::conclude() {
 void KernelRow::advance(const PumpDivisor& divisor) {
   log_l_ = divisor.log_albedo(order_, x_l_);
   divide_at_kinks(divisor);
-  const Nodes<double>& rule = gauss_nodes();
   const auto step = [&](Panel& panel) {
-    for (std::size_t i = 0; i < nodes; ++i) {
-      const double x = panel.begin + (panel.end - panel.begin) * rule.position[i];
-      panel.log_d[i] = divisor.step(panel.log_d[i], log_l_, divisor.log_albedo(order_, x), x_l_, x);
+    for (std::size_t i = 0; i < nodes; i += block_width) {
+      const Block x = panel.places(i), before = Block::load(panel.log_d.data() + i);
+      divisor.step(before, log_l_, divisor.albedos.log(order_, x), x_l_, x).store(panel.log_d.data() + i);
     }
     weigh(panel);
   };
@@ -243,19 +261,33 @@ void KernelRow::advance(const PumpDivisor& divisor) {
   ++order_;
   for (std::size_t p = 0; p < panels_.size();) {
     const Panel& panel = panels_[p];
-    if (!(panel.doubt > share * tolerance_ * total) || panels_.size() >= most_panels ||
-        panel.end - panel.begin < 1e-6) {
+    if (!(panel.doubt > share * tolerance_ * total) || panels_.size() >= most_panels || panel.width() < 1e-6) {
       ++p;
       continue;
     }
-    const Panel whole = panel;
-    const double middle = (whole.begin + whole.end) / 2;
-    Panel halves[]{part_of(whole, whole.begin, middle, divisor), part_of(whole, middle, whole.end, divisor)};
-    for (Panel& half : halves) weigh(half);
-    panels_[p] = halves[0];
-    panels_.insert(panels_.begin() + static_cast<std::ptrdiff_t>(p) + 1, halves[1]);
+    divide(p, (panel.begin + panel.end) / 2, divisor);
+    weigh(panels_[p]), weigh(panels_[p + 1]);
   }
   conclude();
+}
+
+KernelRow::Sum KernelRow::divided_by(const CosineTables& s) {
+  const int last = s.count() - 1;
+  Sum sum{coherent_ * std::exp(-s.log(last, x_l_)), 0};
+  for (std::size_t p = 0; p < panels_.size();) {
+    Panel& panel = panels_[p];
+    for (std::size_t i = 0; i < nodes; i += block_width) s.log(last, panel.places(i)).store(panel.log_d.data() + i);
+    weigh(panel);
+    if (panel.doubt > share * tolerance_ * std::max(sum.value, panel.sum) && panels_.size() < most_panels &&
+        panel.width() > 1e-6) {
+      divide(p, (panel.begin + panel.end) / 2);
+      continue;
+    }
+    sum.value += panel.sum;
+    sum.error += panel.doubt + panel.error * std::exp(-*std::min_element(panel.log_d.begin(), panel.log_d.end()));
+    ++p;
+  }
+  return sum;
 }
 
 }  // namespace albedo

@@ -22,6 +22,12 @@ class KernelRow {
   /// Divides by the next factor of D, whose order() + 1 first tables must be known.
   void advance(const PumpDivisor& divisor);
 
+  struct Sum {
+    double value, error;  ///< absolute
+  };
+  /// a(L) with f divided by the last of the tables at V: ∫ f / s(V) cosθ_V dω_V.
+  Sum divided_by(const CosineTables& s);
+
   [[nodiscard]] int order() const { return order_; }
   [[nodiscard]] double value() const { return value_; }  ///< a_k(L), coherent part included
   [[nodiscard]] double error() const { return error_; }  ///< absolute
@@ -37,22 +43,29 @@ class KernelRow {
     double error = 0;  ///< of the integral of `flux`
     Values flux{};     ///< ∫ f dφ_V cos²θ_V
     Values log_d{};
+
+    [[nodiscard]] double width() const { return end - begin; }
+    /// Nodes i … i + block_width − 1.
+    [[nodiscard]] Block places(std::size_t i) const;
     double sum = 0, doubt = 0;  ///< of flux / D, and its last coefficients
   };
 
   void integrate(AzimuthIntegral& flux);
   [[nodiscard]] std::vector<double> first_edges(const AzimuthIntegral& flux) const;
   Panel evaluated(AzimuthIntegral& flux, double begin, double end);
-  /// The part of a panel between two of its places, with D of the orders so far.
-  [[nodiscard]] Panel part_of(const Panel& panel, double begin, double end, const PumpDivisor& divisor) const;
-  [[nodiscard]] int branch(const PumpDivisor& divisor, double log_d, double log_v, double x_v) const;
+  /// The part of a panel between two of its places, without D.
+  [[nodiscard]] static Panel part_of(const Panel& panel, double begin, double end);
+  void divide(std::size_t panel, double x);
+  void divide(std::size_t panel, double x, const PumpDivisor& divisor);
+  [[nodiscard]] int branch(const PumpDivisor& divisor, double x_v, double log_v) const;
   void divide_at_kinks(const PumpDivisor& divisor);
   /// What a floor of control would divide by.
   [[nodiscard]] double unpumped(double x_v) const { return std::exp(-std::min(x_l_, x_v)); }
-  void weigh(Panel& panel) const;
+  static void weigh(Panel& panel);
   void conclude();
 
   double x_l_, tolerance_;
+  double same_;  ///< of ln a: what differs by less makes no kinks
   int order_ = 0;
   double coherent_ = 0, coherent_log_d_ = 0;
   double log_l_ = 0;  ///< ln a_k's bound at L, of the order that is divided by

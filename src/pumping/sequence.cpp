@@ -3,20 +3,19 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <map>
-#include <sstream>
 
-#include "albedo/core/errors.hpp"
 #include "albedo/directional_albedo.hpp"
-#include "pumping/chebyshev.hpp"
+#include "combinators/check.hpp"
 #include "pumping/kernel_row.hpp"
 
 namespace albedo {
 namespace {
 
-constexpr int terms = PumpDivisor::terms;
+constexpr int terms = CosineTables::terms;
 constexpr std::size_t most_panels = 64, most_panels_of_azimuths = 14;
 constexpr double azimuths_tolerance = 1e-6;  // what the largest over azimuths is not asked for less than
 constexpr double narrowest_panel = 1e-3;
+constexpr double at_an_edge = 1e-6;  // a kink that near one is no kink
 constexpr int azimuths = 12;            // of L, where they matter
 constexpr double measured_share = 0.3;  // of the tolerance: errors at the points below
 constexpr double unmeasured = 2.1;      // what AlbedoCurve allows for swings between the points
@@ -24,18 +23,6 @@ constexpr double rounding = 1e-13;
 constexpr double same = 1e-9;  // of ln a: no kink of the diagonal
 // Where the error of a Chebyshev interpolant with 11 points swings out: ±sin(10 t) = ±1, one on either side.
 constexpr std::array<double, 2> tests{-0.45399049973954675, 0.7071067811865476};
-
-void check(const Model& model, double tolerance) {
-  if (!(tolerance >= 1e-12 && tolerance <= 0.1)) {
-    std::ostringstream message;
-    message << "pumping: tolerance is " << tolerance << " and must be within [1e-12, 0.1]";
-    throw ParameterError(message.str());
-  }
-  if (!model.claims().reciprocal) {
-    throw ParameterError("pumping: " + model.info().name +
-                         " isn't reciprocal for these parameters and must be: eq. 18 exchanges L and V");
-  }
-}
 
 /// What all azimuths of L at one polar angle make of a_k.
 struct Brightest {
@@ -75,12 +62,7 @@ struct PumpSequence::Parts {
       all.value = std::isnan(row.value()) ? row.value() : std::max(all.value, row.value());
       all.relative_error = std::max(all.relative_error, row.error() / row.value());
     }
-    if (!(all.value > 0 && std::isfinite(all.value))) {
-      std::ostringstream message;
-      message << "pumping: the albedo of " << model.info().name << " is " << all.value << " at cos_theta "
-              << std::exp(-x) << " and must be finite and positive";
-      throw ParameterError(message.str());
-    }
+    check_positive_albedo("pumping", model, all.value, std::exp(-x));
     return all;
   }
 
@@ -88,41 +70,35 @@ struct PumpSequence::Parts {
     const int order = divisor.orders();
     double worst = 0, row_error = 0;
     std::vector<double> expansions;
-    for (std::size_t panel = 0; panel + 1 < divisor.edges().size();) {
-      const double begin = divisor.edges()[panel], end = divisor.edges()[panel + 1];
+    for (std::size_t panel = 0; panel + 1 < divisor.albedos.edges().size();) {
+      const double begin = divisor.albedos.edges()[panel], end = divisor.albedos.edges()[panel + 1];
       std::array<double, terms> values;
       for (int i = 0; i < terms; ++i) {
-        const Brightest a = brightest(lobatto(begin, end, i), order, false);
+        const Brightest a = brightest(CosineTables::node(begin, end, i), order, false);
         values[static_cast<std::size_t>(i)] = std::log(a.value);
         row_error = std::max(row_error, a.relative_error);
       }
-      const auto expansion = chebyshev_expansion(values);
+      const auto expansion = CosineTables::expansion(values);
       double error = 0;
       for (const double t : tests) {
-        const Brightest a = brightest(begin + (end - begin) * (1 + t) / 2, order, true);
-        double sum = 0, previous = t, current = 1;
-        for (const double c : expansion) {
-          sum += c * current;
-          const double next = 2 * t * current - previous;
-          previous = current, current = next;
-        }
-        error = std::max(error, std::abs(std::log(a.value) - sum));
+        const Brightest a = brightest(CosineTables::place(begin, end, t), order, true);
+        error = std::max(error, std::abs(std::log(a.value) - CosineTables::sum(expansion, t)));
         row_error = std::max(row_error, a.relative_error);
       }
-      if (error > measured_share * tolerance && divisor.edges().size() <= panels_allowed() &&
+      if (error > measured_share * tolerance && divisor.albedos.edges().size() <= panels_allowed() &&
           end - begin > narrowest_panel) {
-        divisor.split(panel, (begin + end) / 2);
+        divisor.albedos.split(panel, CosineTables::place(begin, end, 0));
         continue;
       }
       worst = std::max(worst, error);
       expansions.insert(expansions.end(), expansion.begin(), expansion.end());
       ++panel;
     }
-    divisor.add_order(expansions);
+    divisor.albedos.add(expansions);
     if (order == 0) row_error = std::max(row_error, disagreement());
     margins.push_back(unmeasured * worst + row_error + rounding);
     bounds.push_back(std::expm1(margins.back()));
-    divisor.raise_last(margins.back());
+    divisor.albedos.raise_last(margins.back());
     if (!(bounds.back() <= tolerance)) status = Status::budget_exhausted;
     split_at_kinks();
   }
@@ -156,10 +132,9 @@ struct PumpSequence::Parts {
     };
     if (divisor.control() == PumpControl::none && !divisor.only_up()) return;
     constexpr int steps = 32;
-    for (std::size_t panel = 0; panel + 1 < divisor.edges().size(); ++panel) {
-      const double begin = divisor.edges()[panel], end = divisor.edges()[panel + 1];
-      if (divisor.edges().size() > panels_allowed()) return;
-      const double aside = std::max(1e-2 * (end - begin), narrowest_panel);
+    for (std::size_t panel = 0; panel + 1 < divisor.albedos.edges().size(); ++panel) {
+      const double begin = divisor.albedos.edges()[panel], end = divisor.albedos.edges()[panel + 1];
+      if (divisor.albedos.edges().size() > panels_allowed()) return;
       for (int i = 0; i < steps; ++i) {
         double before = begin + (end - begin) * i / steps, after = begin + (end - begin) * (i + 1) / steps;
         const int which = branch(before);
@@ -168,8 +143,8 @@ struct PumpSequence::Parts {
           const double middle = (before + after) / 2;
           (branch(middle) == which ? before : after) = middle;
         }
-        if (after - begin < aside || end - after < aside) continue;
-        divisor.split(panel, after);
+        if (after - begin < at_an_edge || end - after < at_an_edge) continue;
+        divisor.albedos.split(panel, after);
         break;
       }
     }
@@ -177,9 +152,9 @@ struct PumpSequence::Parts {
 };
 
 PumpSequence::PumpSequence(const Model& model, PumpControl control, bool only_up, double tolerance) {
-  check(model, tolerance);
-  std::vector<double> edges{0, 0.5, 1.2, 2.5, 5, 10, 23, 60, PumpDivisor::last_x};
-  parts_.reset(new Parts{model, tolerance, model.claims().isotropic, {std::move(edges), control, only_up}});
+  check_number("pumping: tolerance", tolerance, {1e-12, 0.1}, "[1e-12, 0.1]");
+  check_reciprocal("pumping", model);
+  parts_.reset(new Parts{model, tolerance, model.claims().isotropic, {control, only_up}});
   parts_->tabulate();
 }
 
@@ -200,7 +175,7 @@ double PumpSequence::upper(int order, double cos_theta) const {
 
 double PumpSequence::average(int order) const {
   double sum = 0;
-  const std::vector<double>& edges = parts_->divisor.edges();
+  const std::vector<double>& edges = parts_->divisor.albedos.edges();
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     sum += boost::math::quadrature::gauss<double, 20>::integrate(
         [&](double x) { return 2 * std::exp(-2 * x) * albedo(order, std::exp(-x)); }, edges[i],

@@ -352,7 +352,7 @@ inline constexpr std::array<double, 3> ggx_albedo_axis_theta{{
     0.0, 0.5, 90.0,
 }};
 
-/// Directional albedo in C order: the last axis runs fastest.
+/// Entries in C order: the last axis runs fastest.
 inline constexpr std::array<double, 6> ggx_albedo_values{{
     0.10000000000000001, std::numeric_limits<double>::infinity(), 1.0, 12345678901234568.0,
     1.0000000000000001e+300, 4.9406564584124654e-324,

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "albedo/combinators/scaled.hpp"
 #include "albedo/pumping.hpp"
 
 namespace albedo {
@@ -10,59 +11,32 @@ namespace albedo {
 /// max(a_k(L), a_k(V)), and what PumpControl adds to that.
 ///
 /// The a_k are tables raised by their errors, so that a ≤ 1 holds for the model as it is evaluated, not only in exact
-/// arithmetic; it is reciprocal because D is symmetric. Each lobe stays a lobe, with a kink at equal cosines;
-/// other kinks (of control's floor, of albedos that fall and rise) are no edges of its panels, but rules are told.
-/// Samplers are the base's, with the base's densities; so are parameters, after "times", "control" and "restriction".
-class PumpedModel final : public Model {
+/// arithmetic; it is reciprocal because D is symmetric. Rules know the kink at equal cosines; other kinks (of control's
+/// floor, of albedos that fall and rise) are no edges of their panels, but they are told.
+class PumpedModel final : public ScaledModel {
  public:
   /// @param base reciprocal, with an albedo that is finite and positive above the horizon
   /// @throws ParameterError for another base, and for options outside their ranges
   explicit PumpedModel(std::unique_ptr<Model> base, const PumpOptions& options = {});
 
-  [[nodiscard]] const Model& base() const { return *base_; }
   [[nodiscard]] const PumpOptions& options() const { return options_; }
+  /// What f is divided by; nullptr where times is 0.
+  [[nodiscard]] std::shared_ptr<const PumpDivisor> divisor() const { return divisor_; }
   /// Status of the tables: whether each of them meets the tolerance. They are upper bounds anyway.
   [[nodiscard]] Status status() const { return status_; }
 
-  [[nodiscard]] const ModelInfo& info() const override { return info_; }
   [[nodiscard]] Claims claims() const override;
-  [[nodiscard]] Parameters parameters() const override;
   [[nodiscard]] std::vector<Lobe> lobes() const override;
-  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override;
-
-  [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override;
-  [[nodiscard]] double evaluate(int component, const DirectionPair<double>& pair) const noexcept override;
-  [[nodiscard]] float evaluate(int component, const DirectionPair<float>& pair) const noexcept override;
-  [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override;
-
-  [[nodiscard]] bool has_sampler(int component) const noexcept override { return base_->has_sampler(component); }
-  [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
-                                      const Block& v) const noexcept override {
-    return base_->sample(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
-                                       double v) const noexcept override {
-    return base_->sample(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
-                                     const Quad& v) const override {
-    return base_->sample(component, l, u, v);
-  }
-  [[nodiscard]] double density(int component, const UnitVector<double>& l,
-                               const UnitVector<double>& v) const noexcept override {
-    return base_->density(component, l, v);
-  }
 
  private:
   /// 1/D_K
-  [[nodiscard]] double factor(double cos_l, double cos_v) const noexcept;
+  [[nodiscard]] double factor(double cos_l, double cos_v) const noexcept override;
+  [[nodiscard]] Parameters own_parameters() const override;
 
-  std::unique_ptr<Model> base_;
   PumpOptions options_;
-  std::unique_ptr<const PumpDivisor> divisor_;  // none where times is 0
+  std::shared_ptr<const PumpDivisor> divisor_;
   Status status_ = Status::converged;
   bool hidden_kinks_ = false;  // beside that at equal cosines
-  ModelInfo info_;
 };
 
 }  // namespace albedo
