@@ -6,7 +6,8 @@
 
 namespace albedo {
 
-/// Where the points are in the unit square, and what the error is; each is described in rules/.
+/// Where the points are in the unit square, and what the error is; each is described in rules/. `gauss` hands a model
+/// with Lobe::hidden_kinks over to `kronrod`.
 enum class Rule { gauss, cubature, kronrod, tanh_sinh, stratified, sobol, monte_carlo };
 
 /// Whether a rule's points are random, and its error a standard error.

@@ -53,6 +53,9 @@ Estimate applied(Rule rule, const Integrand<double>& integrand, const RuleOption
   return monte_carlo(integrand, options);
 }
 
+/// Polynomials of the gauss rule don't get past kinks that no warp knows of; the kronrod rule halves its way to them.
+bool is_beyond_gauss(const Model& model) { return std::ranges::any_of(model.lobes(), &Lobe::hidden_kinks); }
+
 Estimate integrate(const Model& model, const Direction& l, AlbedoOptions options) {
   const RuleOptions rule{options.tolerance, options.budget, options.seed};
   // what a warp leaves out is no part of a standard error: it should not show beside one
@@ -64,7 +67,8 @@ Estimate integrate(const Model& model, const Direction& l, AlbedoOptions options
   const std::unique_ptr<Integrand<double>> integrand =
       options.precision == Precision::quad ? std::make_unique<RoundedIntegrand>(integrand_of<Quad>(model, l, options))
                                            : integrand_of<Block>(model, l, options);
-  return believed(applied(options.rule, *integrand, rule), *integrand);
+  const bool handed_over = options.rule == Rule::gauss && is_beyond_gauss(model);
+  return believed(applied(handed_over ? Rule::kronrod : options.rule, *integrand, rule), *integrand);
 }
 
 /// What three albedos on the way to grazing incidence, each a hundredth of the cosine before, tell of the limit. Growth

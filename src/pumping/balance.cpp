@@ -94,7 +94,8 @@ class Balancing {
   KernelRow& row(double x) {
     const auto found = rows_.find(x);
     if (found != rows_.end()) return found->second;
-    KernelRow& made = rows_.try_emplace(x, model_, x, 0.0, row_share * options_.tolerance).first->second;
+    KernelRow& made =
+        rows_.try_emplace(x, model_, x, 0.0, row_share * options_.tolerance, KernelRow::Least::viewer).first->second;
     evaluations_ += made.evaluations();
     check_positive_albedo("balance", model_, made.value(), std::exp(-x));
     return made;

@@ -43,8 +43,8 @@ double last_coefficients(const std::array<double, 16>& values) {
 
 }  // namespace
 
-KernelRow::KernelRow(const Model& model, double x_l, double azimuth, double tolerance)
-    : x_l_(x_l), tolerance_(tolerance), same_(std::max(1e-11, share * tolerance)) {
+KernelRow::KernelRow(const Model& model, double x_l, double azimuth, double tolerance, Least least)
+    : x_l_(x_l), tolerance_(tolerance), least_(least), same_(std::max(1e-11, share * tolerance)) {
   Direction l = Direction::from_degrees(0, azimuth);
   l.cos_theta = std::exp(-x_l), l.sin_theta = std::sqrt(-std::expm1(-2 * x_l));
   coherent_ = static_cast<double>(model.coherent_albedo(l));
@@ -102,7 +102,7 @@ void KernelRow::integrate(AzimuthIntegral& flux) {
   for (std::size_t i = 0; i < panels_.size();) {
     const Panel& panel = panels_[i];
     const double width = panel.end - panel.begin;
-    if (!(panel.doubt > tolerance_ * std::max(share * total * unpumped(panel.end), own_share * panel.sum)) ||
+    if (!(panel.doubt > tolerance_ * std::max(share * total * least_divisor(panel.end), own_share * panel.sum)) ||
         panels_.size() >= most_panels || width < narrowest * std::max(1.0, panel.end)) {
       ++i;
       continue;
@@ -121,7 +121,8 @@ KernelRow::Panel KernelRow::evaluated(AzimuthIntegral& flux, double begin, doubl
   const Nodes<double>& rule = gauss_nodes();
   for (std::size_t i = 0; i < nodes; ++i) {
     const double x = begin + (end - begin) * rule.position[i], cos2 = std::exp(-2 * x);
-    const auto [value, error] = flux(x, share * tolerance_ * largest_ * unpumped(x) / cos2, own_share * tolerance_);
+    const auto [value, error] =
+        flux(x, share * tolerance_ * largest_ * least_divisor(x) / cos2, own_share * tolerance_);
     panel.flux[i] = cos2 * value;
     panel.error += (end - begin) * rule.weight[i] * cos2 * error;
     largest_ = std::max(largest_, panel.flux[i]);

@@ -15,9 +15,15 @@ namespace albedo {
 /// a_k(L) = ∫ that / D_k dx_V for any divisor of cosines, at nodes that no longer ask for the BRDF.
 class KernelRow {
  public:
+  /// What f(L,V) may be divided by, at least.
+  enum class Least {
+    nearer,  ///< the cosine of whichever of L and V is nearer to N: pumping
+    viewer,  ///< cosθ_V: a function of V alone
+  };
+
   /// @param azimuth of L, in degrees
   /// @param tolerance of a_k, relative
-  KernelRow(const Model& model, double x_l, double azimuth, double tolerance);
+  KernelRow(const Model& model, double x_l, double azimuth, double tolerance, Least least = Least::nearer);
 
   /// Divides by the next factor of D, whose order() + 1 first tables must be known.
   void advance(const PumpDivisor& divisor);
@@ -59,12 +65,14 @@ class KernelRow {
   void divide(std::size_t panel, double x, const PumpDivisor& divisor);
   [[nodiscard]] int branch(const PumpDivisor& divisor, double x_v, double log_v) const;
   void divide_at_kinks(const PumpDivisor& divisor);
-  /// What a floor of control would divide by.
-  [[nodiscard]] double unpumped(double x_v) const { return std::exp(-std::min(x_l_, x_v)); }
+  [[nodiscard]] double least_divisor(double x_v) const {
+    return std::exp(-(least_ == Least::viewer ? x_v : std::min(x_l_, x_v)));
+  }
   static void weigh(Panel& panel);
   void conclude();
 
   double x_l_, tolerance_;
+  Least least_;
   double same_;  ///< of ln a: what differs by less makes no kinks
   int order_ = 0;
   double coherent_ = 0, coherent_log_d_ = 0;

@@ -15,7 +15,7 @@ constexpr int terms = CosineTables::terms;
 constexpr std::size_t most_panels = 64, most_panels_of_azimuths = 14;
 constexpr double azimuths_tolerance = 1e-6;  // what the largest over azimuths is not asked for less than
 constexpr double narrowest_panel = 1e-3;
-constexpr double at_an_edge = 1e-6;  // a kink that near one is no kink
+constexpr double at_an_edge = 1e-6;     // a kink that near one is no kink
 constexpr int azimuths = 12;            // of L, where they matter
 constexpr double measured_share = 0.3;  // of the tolerance: errors at the points below
 constexpr double unmeasured = 2.1;      // what AlbedoCurve allows for swings between the points
@@ -156,6 +156,12 @@ PumpSequence::PumpSequence(const Model& model, PumpControl control, bool only_up
   check_reciprocal("pumping", model);
   parts_.reset(new Parts{model, tolerance, model.claims().isotropic, {control, only_up}});
   parts_->tabulate();
+  constexpr double black = 1e-12;
+  const double last = albedo(0, std::exp(-CosineTables::last_x));
+  if (last < black) {
+    throw ParameterError("pumping: the albedo of " + model.info().name +
+                         " vanishes at grazing incidence and must stay positive");
+  }
 }
 
 PumpSequence::~PumpSequence() = default;

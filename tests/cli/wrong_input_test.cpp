@@ -46,7 +46,14 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{{"pump", "phong", "--times", "-1"}, "--times is '-1'"},
                       Case{{"pump", "phong", "--pump", "2"}, "unknown option '--pump'"},
                       Case{{"pump", "phong", "--tolerance", "0"}, "--tolerance is 0"},
-                      Case{{"table", "phong", "n=1,2", "--pump", "1", "-o", "t.csv"}, "unknown option '--pump'"}));
+                      Case{{"table", "phong_original", "n=1,2", "--pump", "1", "-o", "t.csv"},
+                           "phong_original isn't reciprocal"},
+                      Case{{"table", "shirley_matte", "--pump", "1", "-o", "t.csv"}, "vanishes at grazing incidence"},
+                      at({"ggx", "--correct", "balance", "--rho", "1.5"}, "--rho is 1.5"),
+                      at({"ggx", "--correct", "balnce"}, "did you mean 'balance'?"),
+                      at({"ward", "--correct", "multiscatter"}, "doesn't claim to conserve energy"),
+                      at({"ggx", "alpha_x=0.2", "--correct", "balance"}, "ggx is anisotropic"),
+                      Case{{"shader", "ggx", "-o", "t.csv"}, "nothing is to be corrected"}));
 
 INSTANTIATE_TEST_SUITE_P(Models, WrongInput,
                          ::testing::Values(at({"wardd"}, "unknown model 'wardd'; did you mean 'ward'?"),

@@ -1,0 +1,71 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/program.hpp"
+
+namespace albedo::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST_F(CliTest, ShaderWritesAFunctionForEachStep) {
+  const Outcome outcome = run_albedo(
+      {"shader", "phong", "n=10,20,40", "--pump", "2", "--resolution", "128", "--json", "--output", "phong.json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["functions"], Json({"1/a_0", "1/a_1"}));
+  const Json table = Json::parse(read_text("phong.json"));
+  EXPECT_EQ(table["axes"].size(), 3U);
+  ASSERT_EQ(table["values"].size(), 2U * 3 * 128);
+  EXPECT_NEAR(table["values"][1 * 128 + 127].get<double>(), 1, 1e-7);  // Phong's albedo at normal incidence
+  for (const char* name : {"t.exr", "t.npy", "t.hpp", "t.csv"}) {
+    EXPECT_EQ(run_albedo({"shader", "ggx", "alpha=0.5", "--correct", "balance", "--resolution", "8", "-o", name}).code,
+              0);
+  }
+}
+
+TEST_F(CliTest, ShaderSaysWhatItCant) {
+  EXPECT_EQ(run_albedo({"shader", "ggx", "-o", "t.csv"}).code, 2);
+  EXPECT_EQ(run_albedo({"shader", "ggx", "theta=3", "--pump", "1", "-o", "t.csv"}).code, 2);
+  EXPECT_EQ(run_albedo({"shader", "ggx", "--pump", "1", "--resolution", "1", "-o", "t.csv"}).code, 2);
+  EXPECT_EQ(run_albedo({"shader", "ggx", "--pump", "1", "-o", "no/such/folder/t.csv"}).code, 4);
+  const Outcome coarse =
+      run_albedo({"shader", "phong", "--pump", "1", "--error", "1e-9", "--resolution", "64", "-o", "t.csv"});
+  EXPECT_EQ(coarse.code, 0) << coarse.err;
+  EXPECT_NE(coarse.out.find("interpolation error"), std::string::npos);
+}
+
+TEST_F(CliTest, TablesOfCorrectedModels) {
+  EXPECT_EQ(run_albedo({"table", "phong", "n=5,20", "theta=0,60,89", "--pump", "2", "-o", "t.csv", "--assert",
+                        "max<=1, min>0.6"})
+                .code,
+            0);
+  const Json of_file = [] {
+    run_albedo(
+        {"table", "ggx", "alpha=0.3,0.6", "theta=0,60,89", "--correct", "balance", "--rho", "0.5", "-o", "t.json"});
+    return Json::parse(read_text("t.json"));
+  }();
+  EXPECT_EQ(of_file["values"].size(), 6U);
+  for (const Json& value : of_file["values"]) EXPECT_NEAR(value.get<double>(), 0.5, 1e-6);
+  EXPECT_EQ(of_file["provenance"]["corrections"]["correct"], "balance");
+}
+
+TEST_F(CliTest, CorrectedModelsAreModels) {
+  EXPECT_EQ(run_albedo({"at", "ggx", "alpha=0.5", "--correct", "balance", "--theta", "0,60,89", "--assert",
+                        "max<=1.0000001, min>=0.999999"})
+                .code,
+            0);
+  EXPECT_EQ(run_albedo({"at", "ggx", "alpha=0.5", "--correct", "multiscatter", "--rho", "0.5", "--theta", "60",
+                        "--assert", "at(60)<0.99, at(60)>0.8"})
+                .code,
+            0);
+  const Outcome audit = run_albedo({"audit", "phong", "--correct", "turquin", "--checks", "reciprocity", "--json"});
+  EXPECT_EQ(audit.code, 0) << audit.err;
+  EXPECT_EQ(Json::parse(audit.out)["audits"][0]["reciprocity"]["verdict"], "not claimed");
+  const Json pump = Json::parse(
+      run_albedo({"pump", "ggx", "alpha=0.5", "--times", "1", "--correct", "balance,turquin", "--json"}).out);
+  EXPECT_NEAR(pump["corrections"]["balance"]["smallest"].get<double>(), 1, 1e-7);
+  EXPECT_NEAR(pump["corrections"]["turquin"]["average"].get<double>(), 1, 1e-7);
+  EXPECT_LT(pump["corrections"]["balance"]["iterations"].get<int>(), 100);
+}
+
+}  // namespace
+}  // namespace albedo::test
