@@ -44,6 +44,7 @@ const std::vector<Figure>& figures() {
       {"kurt-1", "albedo of measured materials, from files of the user's (Kurt 2010, fig. 1)", kurt_1, kurt_1_lacks},
       {"kurt-2", "albedo of eq. 9 for several roughnesses (Kurt 2010, fig. 2)", kurt_2},
       {"kurt-3", "albedo of eq. 10 for several roughnesses and exponents (Kurt 2010, fig. 3)", kurt_3},
+      {"kurt-7", "polar plots of fits of one material in the plane of incidence (Kurt 2010, fig. 7)", kurt_7},
       {"plausibility", "largest albedo, and where it passes 1: Kurt m and alpha, Ward, Duer and eq. 9 m", plausibility},
       {"tradeoff", "error against time and evaluations, by rule and warp: Ward, smooth and rough", tradeoff},
       {"tradeoff-cook-torrance", "the same for Cook-Torrance", tradeoff},

@@ -46,6 +46,8 @@ std::string kurt_1_lacks();
 /// The same, figures 2 and 3: eqs. 9 and 10.
 Drawing kurt_2(std::string_view name);
 Drawing kurt_3(std::string_view name);
+/// The same, figure 7: fits of one material in the plane of incidence.
+Drawing kurt_7(std::string_view name);
 
 /// Which parameters of Kurt's, Ward's and Duer's models reflect more than they receive, and from which angle on.
 Drawing plausibility(std::string_view name);

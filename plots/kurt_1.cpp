@@ -87,7 +87,7 @@ std::string script(const MeasuredAlbedos& albedos, std::string_view name) {
     titles.push_back(material.ends_with("_rgb") ? material.substr(0, material.size() - 4) : material);
     longest = std::max(longest, titles.back().size());
   }
-  const std::size_t count = albedos.names.size(), rows = longest <= 18 ? (count + 1) / 2 : count;
+  const std::size_t count = albedos.names.size(), rows = longest <= 14 ? (count + 1) / 2 : count;
   const double strip = 0.2 + 0.38 * static_cast<double>(rows);
   std::string gp = script_head(name, 8.5, 6.9 + strip) + "\nset multiplot\n";
   std::vector<LegendEntry> entries;
