@@ -18,7 +18,7 @@ std::vector<Sample> samples_of(const Model& target) {
   std::vector<Sample> samples;
   for (double theta_l = 2.5; theta_l < 80; theta_l += 5) {
     for (double theta_v = 2.5; theta_v < 80; theta_v += 5) {
-      for (double phi = 5; phi < 180; phi += 10) {
+      for (double phi = 10; phi < 180; phi += 20) {
         const Direction l = Direction::from_degrees(theta_l), v = Direction::from_degrees(theta_v, phi);
         samples.push_back(
             {l, v, std::sin(theta_l * degree) * std::sin(theta_v * degree), brdf<double>(target, l, v) * l.cos_theta});
