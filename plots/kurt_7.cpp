@@ -135,8 +135,8 @@ set trange [0:pi]
           << "set arrow 3 from " << -0.95 * reach.top * std::sin(angle) << ", " << 0.95 * reach.top * std::cos(angle)
           << " to " << -0.7 * reach.top * std::sin(angle) << ", " << 0.7 * reach.top * std::cos(angle)
           << " linecolor rgb '#000000' linewidth 1.2 front\n"
-          << "set label 2 '{/:Italic L}' at " << -0.82 * reach.top * std::sin(angle) - 0.06 * reach.top << ", "
-          << 0.82 * reach.top * std::cos(angle) + 0.06 * reach.top << " right\n";
+          << "set label 2 '{/:Italic L}' at " << -1.05 * reach.top * std::sin(angle) << ", "
+          << 1.05 * reach.top * std::cos(angle) << " center\n";
     int circle = 4;
     for (const double f : {0.01, 0.1, 0.7}) {
       const double radius = std::cbrt(f);

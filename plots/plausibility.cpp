@@ -109,10 +109,10 @@ constexpr std::array critical_bins{Bin{"-1", "#F7FCF0", "below 10^{−6}°"},
                                    Bin{"15", "#0A4580", "15° … 30°"},
                                    Bin{"30", "#031F3C", "above 30°"}};
 /// Of the albedo; the hue changes at 1.
-constexpr std::array albedo_bins{Bin{"-1", "#F2F6FA", "below 0.6"},   Bin{"0.6", "#D6E4F0", "0.6 … 0.8"},
-                                 Bin{"0.8", "#B3CFE5", "0.8 … 0.95"}, Bin{"0.95", "#8DB8DA", "0.95 … 1"},
-                                 Bin{"1", "#E8873A", "1 … 1.2"},      Bin{"1.2", "#C25A13", "1.2 … 2"},
-                                 Bin{"2", "#8A3607", "2 … 10"},       Bin{"10", "#451A02", "above 10"}};
+constexpr std::array albedo_bins{Bin{"-1", "#F7FAFC", "below 0.6"},   Bin{"0.6", "#E6EEF5", "0.6 … 0.8"},
+                                 Bin{"0.8", "#D3E2EE", "0.8 … 0.95"}, Bin{"0.95", "#BCD3E6", "0.95 … 1"},
+                                 Bin{"1", "#E07B2A", "1 … 1.2"},      Bin{"1.2", "#B5520F", "1.2 … 2"},
+                                 Bin{"2", "#7D3006", "2 … 10"},       Bin{"10", "#3D1701", "above 10"}};
 
 template <std::size_t Count>
 std::string map_panel(const std::array<Bin, Count>& bins, const std::string& quantity, double left, char letter,
@@ -171,7 +171,7 @@ unset mytics
 set ylabel '90° − {/:Italic θ} [degrees]' offset 1 - letter, 0
 set key at graph 0.97, graph 0.06 right bottom Left reverse samplen 3.5 spacing letter
 )");
-  gp += curves_panel("column('largest')", 9.9, 'd', "largest {/:Italic a} up to 89°", R"(set yrange [0.03:30]
+  gp += curves_panel("column('largest')", 10.1, 'd', "largest {/:Italic a} up to 89°", R"(set yrange [0.03:30]
 set ytics ('0.03' 0.03, '0.1' 0.1, '0.3' 0.3, '1' 1, '3' 3, '10' 10, '30' 30)
 set ylabel 'largest albedo' offset 1 - letter, 0
 set key at graph 0.03, graph 0.05 left bottom Left reverse samplen 3.5 spacing letter

@@ -14,14 +14,16 @@ struct Sample {
 };
 
 std::vector<Sample> samples_of(const Model& target) {
+  constexpr int azimuths = 12;
   const double degree = pi<double> / 180;
   std::vector<Sample> samples;
   for (double theta_l = 2.5; theta_l < 80; theta_l += 5) {
     for (double theta_v = 2.5; theta_v < 80; theta_v += 5) {
-      for (double phi = 10; phi < 180; phi += 20) {
-        const Direction l = Direction::from_degrees(theta_l), v = Direction::from_degrees(theta_v, phi);
-        samples.push_back(
-            {l, v, std::sin(theta_l * degree) * std::sin(theta_v * degree), brdf<double>(target, l, v) * l.cos_theta});
+      for (int i = 0; i < azimuths; ++i) {
+        const double t = (i + 0.5) / azimuths;  // closer together around the mirror direction
+        const Direction l = Direction::from_degrees(theta_l), v = Direction::from_degrees(theta_v, 180 * (1 - t * t));
+        samples.push_back({l, v, t * std::sin(theta_l * degree) * std::sin(theta_v * degree),
+                           brdf<double>(target, l, v) * l.cos_theta});
       }
     }
   }
