@@ -110,6 +110,9 @@ TEST_F(PaperFigures, Neumann7IsWhereControlledPumpingOfPhongEnds) {
   for (const char* const column : {"n2", "n5", "n20", "n100", "n1000"}) {
     EXPECT_NEAR(limit.values[column][row_of(limit.values["theta"], 0)], 1, 1e-8) << column;
     EXPECT_LE(largest(limit.values[column]), 1 + 1e-8) << column;
+    // at grazing incidence half of a lobe without its cosine: (n+2)/2π · π/(n+1)
+    const double n = std::stod(std::string(column).substr(1));
+    EXPECT_NEAR(limit.values[column].back(), (n + 2) / (2 * (n + 1)), 1e-8) << column;
   }
   EXPECT_EQ(limit.header["not converged"], "0");
   fs::remove_all(directory_ / "out");
