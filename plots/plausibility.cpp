@@ -19,7 +19,7 @@ using analysis::Plausibility;
 constexpr double last_theta = 89, tolerance = 1e-7;
 
 /// Kurt's eq. 10 over cells of m × α; the cells' middles.
-constexpr int columns = 72, rows = 60;
+constexpr int columns = 60, rows = 50;
 constexpr double first_m = 0.03, last_m = 3, last_exponent = 1;
 
 double m_of(double place) { return first_m * std::pow(last_m / first_m, place / columns); }

@@ -18,9 +18,9 @@ Plausibility plausibility(const Model& model, double last_theta, double toleranc
     const double a = albedo_at(Direction::from_degrees(theta));
     if (a > result.largest) result.largest = a, result.theta = theta;
   };
-  for (double theta = 0; theta < last_theta; theta += 1) look(theta);
+  for (double theta = 0; theta < last_theta; theta += 2) look(theta);
   look(last_theta);
-  for (double step = 0.5; step > 1e-4;) {
+  for (double step = 1; step > 1e-4;) {
     const double before = result.largest, from = result.theta;
     look(std::max(from - step, 0.0));
     look(std::min(from + step, last_theta));

@@ -18,7 +18,7 @@ struct Plausibility {
   int unconverged = 0;
 };
 
-/// The largest albedo is looked for on a grid of 1 degree and then closer around its best.
+/// The largest albedo is looked for on a grid of 2 degrees and then closer around its best.
 Plausibility plausibility(const Model& model, double last_theta, double tolerance);
 
 /// The same of many materials, in parallel.

@@ -207,6 +207,21 @@ TEST_F(PaperFigures, Kurt7HasPublishedFitsAndItsOwn) {
   EXPECT_LT(kurt, ward / 3);
 }
 
+TEST_F(PaperFigures, PlausibilitySaysTheSameByTheLargestAlbedoAndByTheCriticalAngle) {
+  Data data = data_of("plausibility");
+  const Values &model = data.values["model"], &critical = data.values["critical"],
+               &largest_albedo = data.values["largest"];
+  ASSERT_EQ(model.size(), 60U * 50U + 3U * 97U);
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    // the largest is that of the angles up to 89 degrees
+    EXPECT_EQ(largest_albedo[i] > 1, critical[i] > 1) << i;
+    const bool divergent = model[i] != 3;  // all but eq. 9
+    EXPECT_EQ(std::isinf(data.values["grazing"][i]), divergent) << i;
+  }
+  EXPECT_NEAR(data.values["m_low"].front(), 0.03, 1e-15);
+  EXPECT_NEAR(data.values["exponent_high"][60U * 50U - 1], 1, 1e-15);
+}
+
 TEST_F(PaperFigures, SeveralTellWhichAreDone) {
   const Outcome outcome = run("kurt-2 neumann-7 --data-only --output out");
   EXPECT_EQ(outcome.exit_code, 0);
