@@ -113,12 +113,12 @@ std::string letter_label(int& panels) {
   return std::string("set label 1 '(") + static_cast<char>('a' + panels++) + ")' at graph 0, graph 1.07\n";
 }
 
-/// An end for the axis of the radiance.
-double radiance_top(const Reading& reading) {
+using Orders = std::vector<std::vector<double>>;
+
+double largest(const Orders& orders) {
   double top = 0;
-  for (const auto& order : reading.curves.peak) top = std::max(top, *std::ranges::max_element(order));
-  const double step = top < 2 ? 0.2 : top < 10 ? 1 : 5;
-  return step * std::ceil(1.02 * top / step);
+  for (const auto& order : orders) top = std::max(top, *std::ranges::max_element(order));
+  return top;
 }
 
 std::string albedo_panel(const Reading& reading, int& panels) {
@@ -127,31 +127,37 @@ std::string albedo_panel(const Reading& reading, int& panels) {
 }
 
 /// Axes of a radiance; the line is the largest one before pumping, with light at normal incidence.
-std::string radiance_axes(const Reading& reading, double top) {
-  const double before = reading.curves.peak[0][0];
+std::string radiance_axes(const Reading& reading, const Orders& orders) {
+  const double before = reading.curves.peak[0][0], most = std::max(largest(orders), before);
+  const double step = most < 3 ? 0.5 : most < 9 ? 2 : 5;
   std::ostringstream out;
-  out << "set yrange [0:" << top << "]\nset ytics "
-      << (top < 3   ? 0.5
-          : top < 9 ? 2
-                    : 10)
+  out << "set yrange [0:" << step / 5 * std::ceil(1.06 * most / (step / 5)) << "]\nset ytics " << step
       << "\nset mytics 2\nset format y '%g'\n"
       << "set arrow 2 from graph 0, first " << before << " to graph 1, first " << before
       << " nohead linecolor rgb '#808080' linewidth 0.5 back\n";
   return out.str();
 }
 
-std::string peak_panel(const Reading& reading, double top, int& panels) {
-  return "\n# Largest output radiance\n" + radiance_axes(reading, top) + letter_label(panels) +
-         "set ylabel 'largest output radiance [sr^{−1}]' offset 1 - letter, 0\n" + plot(reading, "peak") +
-         "unset arrow 2\n";
+/// On a logarithmic scale where pumping raises it many times over.
+std::string peak_panel(const Reading& reading, int& panels) {
+  std::string gp = "\n# Largest output radiance\n" + radiance_axes(reading, reading.curves.peak) +
+                   letter_label(panels) + "set ylabel 'largest output radiance [sr^{−1}]' offset 1 - letter, 0\n";
+  if (largest(reading.curves.peak) > 10) {
+    gp += "set logscale y\nset yrange [0.1:100]\nset ytics (0.1, 1, 10, 100)\nset mytics 10\n";
+  }
+  return gp + plot(reading, "peak") + "unset arrow 2\nunset logscale y\n";
 }
 
-std::string lobe_panel(const Reading& reading, double incidence, double top, int& panels, bool titled) {
-  std::string gp =
-      "\n# Output radiance of light from one direction\n" + radiance_axes(reading, top) + letter_label(panels);
+std::string lobe_panel(const Reading& reading, std::size_t which, int& panels, bool titled) {
+  std::string gp = "\n# Output radiance of light from one direction\n" +
+                   radiance_axes(reading, reading.curves.radiance[which]) + letter_label(panels);
   gp += "set xrange [-45:90]\nset xtics 45\nset mxtics 3\n";
   gp += "set xlabel 'viewing angle {/:Italic θ}_{/:Italic V} [degrees]' offset 0, 1.3 - letter\n";
-  gp += titled ? "set ylabel 'output radiance [sr^{−1}]' offset 1 - letter, 0\n" : "unset ylabel\nset format y ''\n";
+  const bool wide_numbers = largest(reading.curves.radiance[which]) < 3;
+  gp += titled ? std::string("set ylabel 'output radiance [sr^{−1}]' offset ") + (wide_numbers ? "2" : "1") +
+                     " - letter, 0\n"
+               : "unset ylabel\n";
+  const double incidence = reading.curves.incidences[which];
   const std::string angle = short_text(incidence);
   gp += "set label 3 '{/:Italic θ}_{/:Italic L} = " + angle + "°' at graph 0.06, graph 0.93\n";
   gp += "set arrow 3 from first " + angle + ", graph 0 to first " + angle +
@@ -171,14 +177,13 @@ std::string legend_of(double bottom, double height) {
 
 /// Albedo, largest radiance, and the radiance of three directions of light.
 std::string script(const Reading& reading, std::string_view name) {
-  const double top = radiance_top(reading);
   int panels = 0;
   std::string gp = script_head(name, 17, 12.6) + "\nset multiplot\n" + legend_of(11.6, 0.9);
   gp += panel(1.3, 7, 6.7, 4) + albedo_panel(reading, panels);
-  gp += panel(9.7, 7, 6.7, 4) + peak_panel(reading, top, panels);
+  gp += panel(9.7, 7, 6.7, 4) + peak_panel(reading, panels);
   for (std::size_t i = 0; i < reading.curves.incidences.size(); ++i) {
-    gp += panel(1.3 + 5.3 * static_cast<double>(i), 1.2, 4.5, 4);
-    gp += lobe_panel(reading, reading.curves.incidences[i], top, panels, i == 0);
+    gp += panel(1.3 + 5.4 * static_cast<double>(i), 1.2, 4.3, 4);
+    gp += lobe_panel(reading, i, panels, i == 0);
   }
   return gp + "unset multiplot\nunset output\n";
 }
@@ -190,15 +195,14 @@ std::string script(const std::vector<Reading>& readings, std::string_view name) 
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const double bottom = 7.6 - 6.4 * static_cast<double>(i);
     const Reading& reading = readings[i];
-    const double top = radiance_top(reading);
     gp += std::string("\nset label 4 '") +
           (reading.control == PumpControl::step ? "Eq. 21 at every step"
                                                 : "The product of all divisors at least max({/:Italic N}·{/:Italic L}, "
                                                   "{/:Italic N}·{/:Italic V})") +
           "' at graph 0, graph 1.2\n";
     gp += panel(1.3, bottom, 3.9, 4) + albedo_panel(reading, panels) + "unset label 4\n";
-    gp += panel(7, bottom, 3.9, 4) + peak_panel(reading, top, panels);
-    gp += panel(12.7, bottom, 3.9, 4) + lobe_panel(reading, reading.curves.incidences.back(), top, panels, true);
+    gp += panel(7, bottom, 3.9, 4) + peak_panel(reading, panels);
+    gp += panel(12.7, bottom, 3.9, 4) + lobe_panel(reading, reading.curves.incidences.size() - 1, panels, true);
   }
   return gp + "unset multiplot\nunset output\n";
 }
