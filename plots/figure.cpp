@@ -30,8 +30,22 @@ void make_directory(const std::string& directory) {
 
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> list{
-      {"neumann-1", "albedo of Phong, Cook-Torrance and Ward against the angle of incidence (Neumann 1999, fig. 1)",
+      {"neumann-1",
+       "albedo of Phong, He-Torrance, Cook-Torrance and Ward against the angle of incidence (Neumann 1999, fig. 1)",
        neumann_1},
+      {"neumann-2", "domains of L, H and V, and the critical region (Neumann 1999, fig. 2)", neumann_2},
+      {"neumann-3", "Phong, pumped up to 5 times: albedo and output radiance (Neumann 1999, fig. 3)", neumann_pumped},
+      {"neumann-4", "the same of Blinn (Neumann 1999, fig. 4)", neumann_pumped},
+      {"neumann-5", "Phong, pumped under control, in both readings (Neumann 1999, fig. 5)", neumann_pumped},
+      {"neumann-6", "the same of Blinn (Neumann 1999, fig. 6)", neumann_pumped},
+      {"neumann-7", "eq. 22, where controlled pumping ends: albedo and output radiance (Neumann 1999, fig. 7)",
+       neumann_7},
+      {"walter-6", "bounds of the cosine and of Ward's f cos over a box of directions (Walter 2005, fig. 6)", walter_6},
+      {"kurt-1", "albedo of measured materials, from files of the user's (Kurt 2010, fig. 1)", kurt_1, kurt_1_lacks},
+      {"kurt-2", "albedo of eq. 9 for several roughnesses (Kurt 2010, fig. 2)", kurt_2},
+      {"kurt-3", "albedo of eq. 10 for several roughnesses and exponents (Kurt 2010, fig. 3)", kurt_3},
+      {"kurt-7", "polar plots of fits of one material in the plane of incidence (Kurt 2010, fig. 7)", kurt_7},
+      {"plausibility", "largest albedo, and where it passes 1: Kurt m and alpha, Ward, Duer and eq. 9 m", plausibility},
       {"tradeoff", "error against time and evaluations, by rule and warp: Ward, smooth and rough", tradeoff},
       {"tradeoff-cook-torrance", "the same for Cook-Torrance", tradeoff},
       {"tradeoff-ashikhmin-shirley", "the same for Ashikhmin-Shirley", tradeoff},

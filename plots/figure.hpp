@@ -21,10 +21,36 @@ struct Figure {
   std::string_view name;   ///< on the command line, and of its files
   std::string_view title;  ///< what it shows
   Drawing (*draw)(std::string_view name);
+  /// What the figure needs of the user and hasn't got; empty if it can be drawn. Null: it needs nothing.
+  std::string (*lacks)() = nullptr;
 };
 
 /// Neumann, Neumann, Szirmay-Kalos 1999, figure 1.
 Drawing neumann_1(std::string_view name);
+/// The same, figure 2: domains of L, H and V.
+Drawing neumann_2(std::string_view name);
+/// The same, figures 3 to 6: `neumann-3` and `neumann-5` of Phong, `neumann-4` and `neumann-6` of Blinn; the latter two
+/// of each under control.
+Drawing neumann_pumped(std::string_view name);
+/// The same, figure 7: eq. 22.
+Drawing neumann_7(std::string_view name);
+
+/// Walter 2005, figure 6: bounds over a box of directions.
+Drawing walter_6(std::string_view name);
+
+/// Kurt, Szirmay-Kalos, Křivánek 2010, figure 1: measured materials, of the directory that the environment variable
+/// ALBEDO_MEASURED_DIR names. @throws ParameterError without any
+Drawing kurt_1(std::string_view name);
+/// What figure 1 needs and hasn't got.
+std::string kurt_1_lacks();
+/// The same, figures 2 and 3: eqs. 9 and 10.
+Drawing kurt_2(std::string_view name);
+Drawing kurt_3(std::string_view name);
+/// The same, figure 7: fits of one material in the plane of incidence.
+Drawing kurt_7(std::string_view name);
+
+/// Which parameters of Kurt's, Ward's and Duer's models reflect more than they receive, and from which angle on.
+Drawing plausibility(std::string_view name);
 
 /// Speed against accuracy, a page of one model: `tradeoff` of Ward, `tradeoff-MODEL` of another.
 Drawing tradeoff(std::string_view name);

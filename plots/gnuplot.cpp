@@ -2,6 +2,7 @@
 
 #include <gnuplot-iostream.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <csignal>
@@ -171,7 +172,8 @@ std::string script_head(std::string_view name, double width_cm, double height_cm
   std::ostringstream out;
   out << "# Draws " << name << ".csv. In its directory: gnuplot " << name << ".gp\n"
       << "# or, for another format:      gnuplot -e \"format='png'\" " << name << ".gp     (pdf, png or svg)\n"
-      << "width = " << width_cm << "  # cm\nheight = " << height_cm << R"(
+      << std::showpoint  // gnuplot's quotients of whole numbers are whole
+      << "width = " << width_cm << "  # cm\nheight = " << height_cm << std::noshowpoint << R"(
 if (!exists("format")) format = 'pdf'
 if (format eq 'pdf') {
   set terminal pdfcairo size width*1cm, height*1cm font 'DejaVu Sans,9' fontscale 0.75 linewidth 1.25 dashlength 0.9
@@ -209,5 +211,66 @@ set xtics nomirror out scale 0.6, 0.3
 set ytics nomirror out scale 0.6, 0.3
 set format x '%g'
 )";
+
+std::string panel(double left, double bottom, double width, double height) {
+  std::ostringstream out;
+  out << "set lmargin at screen " << left << "/width\nset rmargin at screen " << left + width
+      << "/width\nset bmargin at screen " << bottom << "/height\nset tmargin at screen " << bottom + height
+      << "/height\n";
+  return out.str();
+}
+
+namespace {
+
+/// How many letters a text of gnuplot's enhanced mode shows, near enough.
+int letters_of(const std::string& text) {
+  int count = 0;
+  bool markup = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '{' && text.compare(i, 2, "{/") == 0) markup = true;
+    const bool first_byte = (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+    if (!markup && first_byte && std::string_view("{}_^\\").find(c) == std::string_view::npos) ++count;
+    if (c == ' ') markup = false;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string legend(double bottom, double height, int rows, const std::vector<LegendEntry>& entries) {
+  int longest = 0;
+  for (const LegendEntry& entry : entries) longest = std::max(longest, letters_of(entry.title));
+  std::ostringstream out;
+  out << "# One legend for all panels.\nset lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen "
+      << bottom << "/height\nset tmargin at screen " << bottom + height
+      << "/height\nunset border\nunset tics\nset xrange [0:1]\n"
+      << "set yrange [0:1]\nset key center center vertical maxrows " << rows
+      << " Left reverse samplen 3.5 spacing letter \\\n"
+      << "  width format eq 'svg' ? 1 : 2.5 - " << longest
+      << "*0.28  # the terminals of cairo think text half as long again\nplot ";
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    out << (i == 0 ? "" : ", \\\n     ") << "NaN with " << entries[i].style << " title '" << entries[i].title << "'";
+  }
+  out << "\nunset key\n" << axes_style;
+  return out.str();
+}
+
+std::string albedo_axes(double top) {
+  std::ostringstream out;
+  out << "set yrange [0:" << top << R"(]
+set xrange [0:90]
+set xtics 15 offset 0, 0.8 * (1 - letter)
+set mxtics 3
+set ytics 0.2
+set mytics 2
+set format y '%.1f'
+set xlabel 'angle of incidence {/:Italic θ}_{/:Italic L} [degrees]' offset 0, 1.3 - letter
+set ylabel 'directional albedo {/:Italic a}({/:Italic L})' offset 2 - letter, 0
+set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead linecolor rgb '#808080' linewidth 0.5 back
+set label 2 '{/:Italic a} = 1' at graph 0.03, first 1 offset 0, 0.5
+)";
+  return out.str();
+}
 
 }  // namespace albedo::plots

@@ -26,4 +26,20 @@ std::string script_head(std::string_view name, double width_cm, double height_cm
 /// Lines for a script: the common look of a panel's axes.
 extern const std::string_view axes_style;
 
+/// Lines for a script: the axes of the next panel, in cm from the lower left corner of the paper.
+std::string panel(double left, double bottom, double width, double height);
+
+/// One entry of a legend: gnuplot's words for its looks ("lines linetype 1"), and what it says.
+struct LegendEntry {
+  std::string style, title;
+};
+
+/// Lines for a script: one legend for all panels, in a strip of its own across the paper, so that it covers no curve;
+/// after it, the common look of axes. To come first in a multiplot.
+std::string legend(double bottom, double height, int rows, const std::vector<LegendEntry>& entries);
+
+/// Lines for a script: axes of an albedo against the angle of incidence in degrees, with a line at 1, above which a
+/// surface reflects more than it receives. `top` ends the albedo's axis.
+std::string albedo_axes(double top);
+
 }  // namespace albedo::plots

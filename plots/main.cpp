@@ -1,11 +1,16 @@
 /// @file
 /// The program `albedo-figures`.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "albedo/core/errors.hpp"
@@ -41,6 +46,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", "albedo-figures " + std::string(albedo::version));
   app.footer(
       "Every figure is written as NAME.csv, NAME.gp and the pictures NAME.pdf, NAME.png, NAME.svg.\n"
+      "kurt-1 shows the measured materials (.bsdf, .binary) of the directory that ALBEDO_MEASURED_DIR names; --all\n"
+      "leaves it out without them.\n"
       "Example: albedo-figures neumann-1 --output out --format pdf --format png");
 }
 
@@ -74,6 +81,42 @@ void list_figures() {
   }
 }
 
+/// Says on standard error which of several figures is done, and on a terminal which one is being made.
+class Progress {
+ public:
+  explicit Progress(std::size_t total) : total_(total), is_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+  void begin(std::string_view name) {
+    ++number_;
+    begin_ = Clock::now();
+    if (is_wanted() && is_terminal_) std::cerr << place() << name << " ..." << std::flush;
+  }
+  void end(std::string_view name) const {
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << seconds << " s";
+    say(std::string(name) + ": " + text.str());
+  }
+  void skip(std::string_view name, const std::string& why) const {
+    say(std::string(name) + ": skipped, it needs " + why);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] bool is_wanted() const { return total_ > 1; }
+  [[nodiscard]] std::string place() const {
+    return "[" + std::to_string(number_) + "/" + std::to_string(total_) + "] ";
+  }
+  void say(const std::string& text) const {
+    if (is_wanted()) std::cerr << (is_terminal_ ? "\r\x1b[K" : "") << place() << text << '\n' << std::flush;
+  }
+
+  std::size_t total_, number_ = 0;
+  bool is_terminal_;
+  Clock::time_point begin_{};
+};
+
 ExitCode run(const Arguments& arguments) {
   if (arguments.list) {
     list_figures();
@@ -82,8 +125,17 @@ ExitCode run(const Arguments& arguments) {
   const std::vector<Figure> figures = chosen_figures(arguments);
   const std::vector<Format> formats = chosen_formats(arguments);
   ExitCode code = done;
+  Progress progress(figures.size());
   for (const Figure& figure : figures) {
+    progress.begin(figure.name);
+    // who asks for all of them asks for those that can be made here
+    const std::string lacking = arguments.all && figure.lacks != nullptr ? figure.lacks() : "";
+    if (!lacking.empty()) {
+      progress.skip(figure.name, lacking);
+      continue;
+    }
     const std::size_t unconverged = albedo::plots::write_figure(figure, arguments.directory, formats);
+    progress.end(figure.name);
     if (unconverged == 0) continue;
     std::cerr << "albedo-figures: " << figure.name << ": " << unconverged << " numbers did not reach their tolerance\n";
     code = tolerance_missed;

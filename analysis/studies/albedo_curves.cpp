@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "albedo/core/errors.hpp"
+#include "analysis/studies/parallel.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -70,13 +72,17 @@ double AlbedoCurves::grazing_exponent(std::size_t curve) const {
 AlbedoCurves albedo_curves(std::vector<CurveRequest> curves, std::vector<Direction> directions,
                            const AlbedoOptions& options) {
   AlbedoCurves result{.curves = std::move(curves), .directions = std::move(directions), .options = options};
+  std::vector<std::unique_ptr<Model>> models;
   for (CurveRequest& curve : result.curves) {
-    const auto model = make_model(curve.model, curve.parameters);
-    curve.parameters = model->parameters();
-    std::vector<Estimate>& estimates = result.estimates.emplace_back();
-    estimates.reserve(result.directions.size());
-    for (const Direction& l : result.directions) estimates.push_back(directional_albedo(*model, l, options));
+    models.push_back(make_model(curve.model, curve.parameters));
+    curve.parameters = models.back()->parameters();
   }
+  const std::size_t count = result.directions.size();
+  result.estimates.assign(models.size(), std::vector<Estimate>(count));
+  in_parallel(models.size() * count, 0, [&](std::size_t i) {
+    result.estimates[i / count][i % count] =
+        directional_albedo(*models[i / count], result.directions[i % count], options);
+  });
   return result;
 }
 

@@ -36,7 +36,7 @@ struct AlbedoCurves {
   [[nodiscard]] double grazing_exponent(std::size_t curve) const;
 };
 
-/// Integrates every curve in every direction.
+/// Integrates every curve in every direction, in parallel.
 /// @throws UnknownModel, ParameterError as make_model() and directional_albedo() do
 AlbedoCurves albedo_curves(std::vector<CurveRequest> curves, std::vector<Direction> directions,
                            const AlbedoOptions& options = {});

@@ -1,108 +1,7 @@
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "cli/figures.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
-
+namespace albedo::test::figures {
 namespace {
-
-namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-bool installed(const std::string& program) {
-  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
-}
-
-struct Outcome {
-  int exit_code;
-  std::string out, err;
-};
-
-/// Runs albedo-figures as a user does, in a directory of its own.
-class Figures : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::path(testing::TempDir()) / "albedo_figures_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
-    fs::create_directory(directory_ / "out");
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
-  /// `environment` is written as in a shell: "PATH=/bin TZ=UTC".
-  [[nodiscard]] Outcome run(const std::string& arguments, const std::string& environment = "") const {
-    const std::string command = "cd '" + directory_.string() + "' && " + environment +
-                                " '" ALBEDO_FIGURES_PROGRAM "' " + arguments + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(directory_ / "stdout.txt"),
-            read(directory_ / "stderr.txt")};
-  }
-
-  /// The names in a directory below the test's, in order.
-  [[nodiscard]] Names names(const std::string& where = "out") const {
-    Names result;
-    for (const auto& entry : fs::directory_iterator(directory_ / where)) {
-      result.push_back(entry.path().filename().string());
-    }
-    std::ranges::sort(result);
-    return result;
-  }
-
-  /// Puts a shell script named gnuplot into bin/, to be found first with PATH=bin:$PATH.
-  [[nodiscard]] std::string with_fake_gnuplot(const std::string& script) const {
-    fs::create_directory(directory_ / "bin");
-    std::ofstream(directory_ / "bin/gnuplot") << "#!/bin/sh\n" << script << '\n';
-    fs::permissions(directory_ / "bin/gnuplot", fs::perms::owner_all);
-    return "PATH='" + (directory_ / "bin").string() + "':$PATH";
-  }
-
-  fs::path directory_;
-};
-
-/// A figure's data: the "# key: value" lines, the column names, and the numbers by column.
-struct Data {
-  std::map<std::string, std::string> header;
-  Names columns;
-  std::map<std::string, std::vector<double>> values;
-
-  explicit Data(const fs::path& path) {
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) {
-      if (line.starts_with("# ")) {
-        const std::size_t colon = line.find(": ");
-        header[line.substr(2, colon - 2)] = line.substr(colon + 2);
-        continue;
-      }
-      Names fields;
-      std::istringstream stream(line);
-      for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-      if (columns.empty()) {
-        columns = fields;
-        continue;
-      }
-      EXPECT_EQ(fields.size(), columns.size()) << line;
-      for (std::size_t i = 0; i < std::min(fields.size(), columns.size()); ++i) {
-        values[columns[i]].push_back(std::stod(fields[i]));
-      }
-    }
-  }
-};
 
 TEST_F(Figures, AreListed) {
   const Outcome outcome = run("--list");
@@ -163,7 +62,8 @@ TEST_F(Figures, DataOnlyWritesTheNumbersAndTheScript) {
 
   Data data(directory_ / "new/out/neumann-1.csv");
   EXPECT_EQ(data.columns,
-            (Names{"theta_l", "cos_theta_l", "phong", "phong_error", "ward", "ward_error", "cook_torrance",
+            (Names{"theta_l", "cos_theta_l", "phong", "phong_error", "he_torrance", "he_torrance_error",
+                   "he_torrance_diffuse", "he_torrance_diffuse_error", "ward", "ward_error", "cook_torrance",
                    "cook_torrance_error", "cook_torrance_without_g", "cook_torrance_without_g_error"}));
   for (const auto& [column, values] : data.values) {
     EXPECT_GT(values.size(), 300U);
@@ -188,6 +88,9 @@ TEST_F(Figures, Neumann1ShowsWhatIsKnown) {
   EXPECT_NEAR(data.values["ward"][row], 0.488988056485, 5e-9);
   EXPECT_NEAR(data.values["phong"][row], 0.5, 1e-4);
   EXPECT_NEAR(data.values["ward"][0], 0.971051675567, 1e-8);
+  // He–Torrance's directional-diffuse part: three digits of an independent integration.
+  EXPECT_NEAR(data.values["he_torrance_diffuse"][0], 0.998, 5e-4);
+  EXPECT_NEAR(data.values["he_torrance_diffuse"][row], 0.780, 5e-4);
   // With G, Cook–Torrance ends at 1 instead of diverging.
   EXPECT_NEAR(data.values["cook_torrance"].back(), 1, 1e-6);
   EXPECT_NEAR(std::stod(data.header["grazing exponent of ward"]), -0.5, 1e-5);
@@ -311,3 +214,4 @@ TEST_F(Figures, CanBeDrawnAgainFromTheirFiles) {
 }
 
 }  // namespace
+}  // namespace albedo::test::figures
