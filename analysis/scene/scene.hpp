@@ -11,7 +11,8 @@
 
 namespace albedo::analysis {
 
-/// A parameter that a texture or a spectrum sets: all that is known is where its values are.
+/// A parameter that a texture or a spectrum sets: all that is known is where its values are. The material itself has
+/// the upper end. `parameter` may be "scale" or "lambertian", the two of a Material beside its parameters.
 struct ParameterInterval {
   std::string parameter;
   double low = 0, high = 1;
@@ -33,8 +34,9 @@ struct Scene {
   std::string format;                               ///< "mitsuba", "pbrt", "radiance" or "materials"
   std::vector<SceneMaterial> materials{};           ///< in the order in which the file names them
   std::map<std::string, std::size_t> unmodelled{};  ///< type of a BSDF that isn't modelled, how many
+  std::map<std::string, std::size_t> holders{};     ///< type of what only holds others ("twosided"), how many
   std::vector<std::string> notes{};                 ///< what was assumed, a sentence each
-  std::size_t declared = 0;                         ///< BSDFs met: those above, and those that hold others
+  std::size_t declared = 0;                         ///< BSDFs met: materials, unmodelled and holders
 };
 
 /// Reads a scene with what it includes. The format follows from the file's ending (.xml, .pbrt, .rad, .mat, .json,
