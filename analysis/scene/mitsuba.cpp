@@ -36,6 +36,7 @@ class MitsubaReader {
 
  private:
   static constexpr int deepest_nesting = 100;
+  static constexpr std::size_t deepest_holding = 16;
 
   /// <ref id=> of a shape or of a BSDF that holds others; it may come before what it refers to.
   struct Reference {
@@ -65,7 +66,7 @@ class MitsubaReader {
       } else if (tag == "alias") {
         aliases(element);
       } else if (tag == "bsdf") {
-        const std::size_t bsdf = read_bsdf(element, {}, {}, depth + 1);
+        const std::size_t bsdf = read_bsdf(element, {}, {});
         if (is_shape) builder_.use(bsdf);
         has_bsdf = true;
       } else if (tag == "ref" && is_shape) {
@@ -95,8 +96,8 @@ class MitsubaReader {
   }
 
   std::size_t read_bsdf(const MitsubaElement& element, const std::string& holder_name,
-                        const std::vector<std::string>& within, int depth) {
-    if (depth > deepest_nesting) element.fail("BSDFs are nested more than 100 deep");
+                        const std::vector<std::string>& within) {
+    if (within.size() > deepest_holding) element.fail("BSDFs are nested more than 16 deep");
     const std::string id = values_.attribute(element, "id");
     Place place{!id.empty() ? id : holder_name, values_.attribute(element, "type"), element.file->name(),
                 element.line(), within};
@@ -120,7 +121,7 @@ class MitsubaReader {
     for (const pugi::xml_node& node : element.node.children()) {
       const MitsubaElement child{node, element.file};
       if (child.tag() == "bsdf") {
-        const std::size_t held = read_bsdf(child, place.name, inside, depth + 1);
+        const std::size_t held = read_bsdf(child, place.name, inside);
         builder_.hold(bsdf, held);
       } else if (child.tag() == "ref" && !is_texture(child)) {
         references_.push_back({values_.attribute(child, "id"), child, bsdf});

@@ -10,6 +10,8 @@
 namespace albedo::analysis {
 namespace {
 
+constexpr int deepest_texture = 100;
+
 std::string lowered(std::string_view text) {
   std::string result(text);
   for (char& c : result) {
@@ -89,7 +91,7 @@ void MitsubaValues::add_variable(const std::string& name, const std::string& val
 }
 
 std::string MitsubaValues::attribute(const MitsubaElement& element, const char* name) const {
-  constexpr std::size_t longest = std::size_t{1} << 20U;
+  constexpr std::size_t longest = 1000;
   std::string text = element.node.attribute(name).value();
   for (std::size_t at = text.find('$'); at != std::string::npos;) {
     auto variable = variables_.end();
@@ -100,7 +102,7 @@ std::string MitsubaValues::attribute(const MitsubaElement& element, const char* 
       element.fail("the variable in " + in_quotes(text) + " has no value; the scene expects it on the command line");
     }
     text.replace(at, 1 + variable->first.size(), variable->second);
-    if (text.size() > longest) element.fail("a text made of variables is longer than 1 MiB");
+    if (text.size() > longest) element.fail("a text made of variables is longer than 1000 characters");
     at = text.find('$', at + variable->second.size());
   }
   return text;
@@ -138,14 +140,7 @@ SceneValue MitsubaValues::read(const MitsubaElement& element, int depth) {
     return number_in(name, text, element.file->name(), element.line());
   };
   if (tag == "texture") return texture(element, depth);
-  if (tag == "ref") {
-    const std::string id = attribute(element, "id");
-    const auto found = textures_.find(id);
-    if (found != textures_.end() && depth < 20) return read(found->second, depth + 1);
-    builder_.note("the texture " + in_quotes(id) + " isn't defined before its use", element.file->name(),
-                  element.line());
-    return SceneValue::unknown();
-  }
+  if (tag == "ref") return referred(element, depth);
   if (tag == "spectrum") return spectrum(element);
   const std::vector<std::string> parts = words(attribute(element, "value"));
   if (tag == "float" || tag == "integer") {
@@ -161,6 +156,24 @@ SceneValue MitsubaValues::read(const MitsubaElement& element, int depth) {
   }
   element.fail(in_quotes(name) + " = " + in_quotes(attribute(element, "value")) + " in <" + tag.substr(0, 20) +
                "> is not a value of a material");
+}
+
+SceneValue MitsubaValues::referred(const MitsubaElement& reference, int depth) {
+  const std::string id = attribute(reference, "id");
+  const auto found = textures_.find(id);
+  if (found == textures_.end()) {
+    builder_.note("the texture " + in_quotes(id) + " isn't defined before its use", reference.file->name(),
+                  reference.line());
+    return SceneValue::unknown();
+  }
+  Texture& texture = found->second;
+  if (texture.is_open) reference.fail("the texture " + in_quotes(id) + " refers to itself");
+  if (!texture.value) {
+    texture.is_open = true;
+    texture.value = read(texture.element, depth + 1);
+    texture.is_open = false;
+  }
+  return *texture.value;
 }
 
 SceneValue MitsubaValues::spectrum(const MitsubaElement& element) const {
@@ -185,7 +198,7 @@ SceneValue MitsubaValues::spectrum(const MitsubaElement& element) const {
 }
 
 SceneValue MitsubaValues::texture(const MitsubaElement& element, int depth) {
-  if (depth > 20) element.fail("textures are nested more than 20 deep");
+  if (depth > deepest_texture) element.fail("textures are nested more than 100 deep");
   const std::string type = attribute(element, "type");
   const auto inner = [&](std::string_view parameter, double otherwise) {
     const std::optional<MitsubaElement> child = find(element, parameter);

@@ -49,10 +49,10 @@ class MitsubaValues {
 
   /// <default name= value=>; the first one of a name counts.
   void add_variable(const std::string& name, const std::string& value);
-  void add_texture(const std::string& id, const MitsubaElement& texture) { textures_[id] = texture; }
+  void add_texture(const std::string& id, const MitsubaElement& texture) { textures_[id] = {.element = texture}; }
 
   /// An attribute with its $variables replaced, empty if it isn't there.
-  /// @throws FormatError for an unknown variable, or a text of over 1 MiB made of variables
+  /// @throws FormatError for an unknown variable, or a text of over 1000 characters made of variables
   std::string attribute(const MitsubaElement& element, const char* name) const;
 
   /// The child that sets a parameter.
@@ -63,14 +63,22 @@ class MitsubaValues {
   bool boolean(const MitsubaElement& parent, std::string_view parameter, bool otherwise) const;
 
  private:
+  /// One with an id, whose value is found once.
+  struct Texture {
+    MitsubaElement element{};
+    std::optional<SceneValue> value{};
+    bool is_open = false;  // its value is being found
+  };
+
   SceneValue read(const MitsubaElement& element, int depth);
+  SceneValue referred(const MitsubaElement& reference, int depth);
   SceneValue texture(const MitsubaElement& element, int depth);
   SceneValue spectrum(const MitsubaElement& element) const;
 
   SceneBuilder& builder_;
   std::unordered_map<std::string, std::string> variables_;
   std::size_t longest_name_ = 0;  // of a variable
-  std::unordered_map<std::string, MitsubaElement> textures_;
+  std::unordered_map<std::string, Texture> textures_;
 };
 
 }  // namespace albedo::analysis

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -55,6 +56,7 @@ class PbrtReader {
     const std::string& name = directive.name;
     const auto first = [&]() -> const std::string& {
       if (directive.texts.empty()) fail_at(file, directive.line, name + " takes a name");
+      if (directive.texts[0].size() > longest_name) fail_at(file, directive.line, "a name is longer than 1000 bytes");
       return directive.texts[0];
     };
     if (name == "Material") {
@@ -209,7 +211,7 @@ class PbrtReader {
     return holder;
   }
 
-  static constexpr std::size_t deepest_nesting = 10'000;
+  static constexpr std::size_t longest_name = 1000, deepest_nesting = 10'000;
 
   SceneBuilder builder_;
   SceneFiles files_;

@@ -143,7 +143,11 @@ class RadianceReader {
   }
 
   void add(const Primitive& primitive) {
-    const Modifier above = primitive.modifier == "void" ? Modifier{} : resolved(primitive.modifier, primitive.line);
+    const bool is_own =
+        primitive.modifier == "inherit" && primitive.type == "alias";  // it keeps what modifies the original
+    const Modifier above = is_own                         ? resolved(primitive.strings[0], primitive.line)
+                           : primitive.modifier == "void" ? Modifier{}
+                                                          : resolved(primitive.modifier, primitive.line);
     if (is_one_of(surfaces, primitive.type)) {
       if (above.bsdf) builder_.use(*above.bsdf);
       return;
@@ -155,7 +159,7 @@ class RadianceReader {
       own.has_pattern = own.has_pattern || is_pattern;
       own.bsdf = above.bsdf;
       own.chain.push_back(primitive.type);
-      if (own.chain.size() > deepest_chain) fail("modifiers are chained more than 100 deep");
+      if (own.chain.size() > deepest_chain) fail("modifiers are chained more than 16 deep");
     } else if (primitive.type == "alias") {
       own = alias(primitive, above, place);
     } else if (is_one_of(mixtures, primitive.type)) {
@@ -209,7 +213,7 @@ class RadianceReader {
     const double specularity = a[3], alpha_u = a[4], alpha_v = is_anisotropic ? a[5] : a[4];
     const double reflected = is_trans ? 1 - a[wanted - 2] : 1;  // of what isn't specular
     if (is_trans && a[wanted - 2] != 0) {
-      builder_.note("trans: only what is reflected is modelled, not what goes through", place);
+      builder_.note(primitive.type + ": only what is reflected is modelled, not what goes through", place);
     }
     const SceneValue diffuse = product(colour, SceneValue((1 - specularity) * reflected));
     constexpr double tiny = 1e-6;  // Radiance's FTINY, to which it compares
@@ -235,7 +239,7 @@ class RadianceReader {
     fail_at(files_.name(), primitive.line, in_quotes(primitive.name) + ": " + problem);
   }
 
-  static constexpr std::size_t deepest_chain = 100;
+  static constexpr std::size_t deepest_chain = 16;
 
   SceneBuilder builder_;
   SceneFiles files_;

@@ -1,5 +1,6 @@
 #include "analysis/scene/scene_builder.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -8,7 +9,8 @@
 namespace albedo::analysis {
 namespace {
 
-constexpr std::size_t most_notes = 1000, most_bsdfs = 2'000'000;
+// Bounds of what is kept of a hostile file; names are copied from holders to what they hold.
+constexpr std::size_t most_notes = 1000, most_bsdfs = 1'000'000, longest_name = 1000;
 
 /// A sum that stays at the largest number instead of starting anew.
 std::size_t added(std::size_t a, std::size_t b) {
@@ -24,7 +26,10 @@ SceneBuilder::SceneBuilder(std::string path, std::string format) {
 }
 
 std::size_t SceneBuilder::add_bsdf(const Place& place) {
-  if (++scene_.declared > most_bsdfs) fail_at(place.file, place.line, "the scene has more than 2 million materials");
+  if (++scene_.declared > most_bsdfs) fail_at(place.file, place.line, "the scene has more than 1 million materials");
+  if (std::max(place.name.size(), place.type.size()) > longest_name) {
+    fail_at(place.file, place.line, "the name " + in_quotes(place.name + place.type) + " is longer than 1000 bytes");
+  }
   bsdfs_.push_back({.name = place.name, .file = place.file, .line = place.line});
   return bsdfs_.size() - 1;
 }
