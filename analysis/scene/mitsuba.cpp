@@ -20,8 +20,8 @@ class MitsubaReader {
     for (const Reference& reference : references_) {
       const auto found = bsdfs_.find(reference.id);
       if (found == bsdfs_.end()) {
-        if (reference.holder) {
-          reference.element.fail("it holds the BSDF " + in_quotes(reference.id) + ", which isn't in the scene");
+        if (reference.holder && !values_.has_texture(reference.id)) {
+          reference.element.fail("it refers to " + in_quotes(reference.id) + ", which isn't in the scene");
         }
         continue;  // shapes refer to emitters and media too
       }
@@ -102,14 +102,14 @@ class MitsubaReader {
     Place place{!id.empty() ? id : holder_name, values_.attribute(element, "type"), element.file->name(),
                 element.line(), within};
     if (place.type.empty()) element.fail("the BSDF has no type");
-    const MitsubaHolder kind = holder_kind(place.type);
+    const MitsubaHolder kind = holder_kind(place.type, element);
     if (kind == MitsubaHolder::none && place.name.empty()) {
       place.name = place.type + " at line " + std::to_string(place.line);
     }
     const std::size_t bsdf = kind == MitsubaHolder::none ? read_model(element, place)
                              : kind == MitsubaHolder::neutral
                                  ? builder_.add_holder(place)
-                                 : builder_.add_unmodelled(place, "only what it coats is modelled");
+                                 : builder_.add_unmodelled(place, "only what it holds is modelled");
     if (!id.empty()) bsdfs_[id] = bsdf;
     for (const pugi::xml_node& texture : element.node.children("texture")) {
       const char* texture_id = texture.attribute("id").value();
@@ -123,17 +123,11 @@ class MitsubaReader {
       if (child.tag() == "bsdf") {
         const std::size_t held = read_bsdf(child, place.name, inside);
         builder_.hold(bsdf, held);
-      } else if (child.tag() == "ref" && !is_texture(child)) {
+      } else if (child.tag() == "ref") {
         references_.push_back({values_.attribute(child, "id"), child, bsdf});
       }
     }
     return bsdf;
-  }
-
-  /// A reference that sets a parameter by name, and isn't called a BSDF, is one to a texture.
-  [[nodiscard]] static bool is_texture(const MitsubaElement& reference) {
-    const std::string name = reference.node.attribute("name").value();
-    return !name.empty() && !name.starts_with("bsdf") && !name.starts_with("_");
   }
 
   std::size_t read_model(const MitsubaElement& element, const Place& place) {

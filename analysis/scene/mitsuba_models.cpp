@@ -214,11 +214,12 @@ MitsubaModel ward(const Reader& reader) {
 
 }  // namespace
 
-MitsubaHolder holder_kind(const std::string& type) {
+MitsubaHolder holder_kind(const std::string& type, const MitsubaElement& bsdf) {
   static constexpr std::array<std::string_view, 9> neutral{"twosided",    "bumpmap", "normalmap", "mask", "blendbsdf",
                                                            "mixturebsdf", "mixture", "composite", "bump"};
   if (std::ranges::find(neutral, type) != neutral.end()) return MitsubaHolder::neutral;
-  return type == "coating" || type == "roughcoating" ? MitsubaHolder::altering : MitsubaHolder::none;
+  const bool is_coat = type == "coating" || type == "roughcoating";
+  return is_coat || bsdf.node.child("bsdf") ? MitsubaHolder::altering : MitsubaHolder::none;
 }
 
 MitsubaModel model_of(const MitsubaElement& bsdf, const Place& place, bool is_old, MitsubaValues& values,

@@ -13,9 +13,9 @@ namespace albedo::analysis {
 enum class MitsubaHolder {
   none,     ///< it holds nothing
   neutral,  ///< what it holds reflects as it would alone: "twosided", "mask"
-  altering  ///< what it holds is modelled, itself not: "coating"
+  altering  ///< what it holds is modelled, itself not: "coating", and any other with a BSDF inside
 };
-MitsubaHolder holder_kind(const std::string& type);
+MitsubaHolder holder_kind(const std::string& type, const MitsubaElement& bsdf);
 
 /// A plugin that is modelled, or why it is not; both are empty for one that this library has no model of.
 struct MitsubaModel {

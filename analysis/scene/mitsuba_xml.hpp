@@ -51,6 +51,8 @@ class MitsubaValues {
   void add_variable(const std::string& name, const std::string& value);
   void add_texture(const std::string& id, const MitsubaElement& texture) { textures_[id] = {.element = texture}; }
 
+  [[nodiscard]] bool has_texture(const std::string& id) const { return textures_.contains(id); }
+
   /// An attribute with its $variables replaced, empty if it isn't there.
   /// @throws FormatError for an unknown variable, or a text of over 1000 characters made of variables
   std::string attribute(const MitsubaElement& element, const char* name) const;

@@ -55,6 +55,19 @@ TEST_F(MitsubaScene, HoldersCountAndAreNamed) {
   EXPECT_TRUE(has_note(scene, "a shape has no BSDF"));
 }
 
+TEST_F(MitsubaScene, ReferencesAreToTexturesOrBsdfs) {
+  const Scene scene = old_scene(R"(<bsdf type="bumpmap" id="a"><ref id="map"/><ref name="nested" id="b"/></bsdf>
+    <texture type="bitmap" id="map"/><bsdf type="diffuse" id="b"/>
+    <bsdf type="something" id="c"><bsdf type="diffuse"/><bsdf type="twosided"><bsdf type="phong"/></bsdf></bsdf>
+    <shape type="obj"><ref id="a"/><ref id="c"/><ref id="medium"/></shape>)");
+  EXPECT_EQ(scene.declared, 6U);
+  ASSERT_EQ(scene.materials.size(), 3U) << "also those in a plugin that isn't known";
+  EXPECT_EQ(scene.unmodelled, (std::map<std::string, std::size_t>{{"something", 1}}));
+  for (const SceneMaterial& material : scene.materials) EXPECT_EQ(material.uses, 1U) << material.material.name;
+  EXPECT_EQ(refusal_of("a.xml", R"(<scene version="0.6.0"><bsdf type="twosided"><ref id="x"/></bsdf></scene>)"),
+            "'a.xml', line 1: it refers to 'x', which isn't in the scene");
+}
+
 TEST_F(MitsubaScene, RoughConductor) {
   const SceneMaterial old = only(old_scene(R"(<bsdf type="roughconductor"/>)"));
   EXPECT_EQ(old.material.model, "beckmann");
