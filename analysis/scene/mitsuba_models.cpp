@@ -46,7 +46,7 @@ Roughness roughness_of(const Reader& reader, bool is_raised) {
 
 /// The index of refraction of a side, a number or a name.
 std::optional<double> index_of(const Reader& reader, std::string_view parameter, const char* otherwise) {
-  const std::optional<MitsubaElement> child = reader.values.find(reader.bsdf, parameter);
+  const std::optional<MitsubaElement> child = MitsubaValues::find(reader.bsdf, parameter);
   if (!child || child->tag() == "string") {
     std::string name = reader.values.text(reader.bsdf, parameter, otherwise);
     std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 'a' - 'A') : c; });
@@ -75,13 +75,26 @@ std::optional<MaterialParts> facets_of(const Reader& reader, MitsubaModel& model
   return parts;
 }
 
+/// Mitsuba 0.6 scales a reflectance that exceeds 1 somewhere; it is told not to by a flag.
+bool is_conserved(const Reader& reader) {
+  return reader.is_old && reader.values.boolean(reader.bsdf, "ensureenergyconservation", true);
+}
+
+SceneValue reflectance(const Reader& reader, std::string_view parameter, double otherwise) {
+  const SceneValue value = reader.value(parameter, otherwise);
+  const double most = value.highest();
+  if (!(most > 1) || !value.is_known || !is_conserved(reader)) return value;
+  reader.note("a reflectance exceeds 1, and is scaled as the renderer does it");
+  return value.mapped([&](double x) { return 0.99 * x / most; });
+}
+
 void set_scale(MaterialParts& parts, const SceneValue& value) {
   if (!value.is_constant() || value.low != Rgb{1, 1, 1}) parts.set_scale(value);
 }
 
 MitsubaModel diffuse(const Reader& reader) {
   MitsubaModel model{.parts = MaterialParts("lambert")};
-  model.parts->set("rho", reader.value("reflectance", 0.5), MaterialParts::reflectance);
+  model.parts->set("rho", reflectance(reader, "reflectance", 0.5), MaterialParts::reflectance);
   return model;
 }
 
@@ -91,7 +104,8 @@ MitsubaModel rough_diffuse(const Reader& reader) {
     reader.note("Oren and Nayar's qualitative model stands for the full one");
   }
   const SceneValue sigma = reader.value("alpha", 0.2).mean().mapped([](double a) { return a / std::numbers::sqrt2; });
-  model.parts->set("sigma", sigma, {0, 2}).set("rho", reader.value("reflectance", 0.5), MaterialParts::reflectance);
+  model.parts->set("sigma", sigma, {0, 2})
+      .set("rho", reflectance(reader, "reflectance", 0.5), MaterialParts::reflectance);
   return model;
 }
 
@@ -100,8 +114,8 @@ MitsubaModel rough_conductor(const Reader& reader) {
   std::optional<MaterialParts> parts = facets_of(reader, model);
   if (!parts) return model;
   const std::string material = reader.values.text(reader.bsdf, "material", reader.is_old ? "Cu" : "none");
-  const bool has_eta = reader.values.find(reader.bsdf, "eta").has_value();
-  const bool has_k = reader.values.find(reader.bsdf, "k").has_value();
+  const bool has_eta = MitsubaValues::find(reader.bsdf, "eta").has_value();
+  const bool has_k = MitsubaValues::find(reader.bsdf, "k").has_value();
   const bool is_mirror = material == "none" || material == "None";
   if (is_mirror && !has_eta && !has_k) {
     parts->choose("fresnel", "none");
@@ -127,16 +141,19 @@ MitsubaModel rough_conductor(const Reader& reader) {
       });
     };
     SceneValue eta = relative("eta", known.eta);
+    const SceneValue k = relative("k", known.k);
+    if (!eta.is_known || !k.is_known) {
+      model.why = "the numbers of its spectra aren't known here";
+      return model;
+    }
     if (eta.is_constant() && eta.lowest() < 0) {
       // what a spectrum's projection on R, G and B can give; the renderer's formula has the square of it
       reader.note("a negative index of refraction counts as its absolute value");
       eta = eta.mapped([](double x) { return std::abs(x); });
     }
-    parts->choose("fresnel", "conductor")
-        .set("eta", eta, MaterialParts::index)
-        .set("k", relative("k", known.k), MaterialParts::extinction);
+    parts->choose("fresnel", "conductor").set("eta", eta, MaterialParts::index).set("k", k, MaterialParts::extinction);
   }
-  set_scale(*parts, reader.value("specularreflectance", 1));
+  set_scale(*parts, reflectance(reader, "specularreflectance", 1));
   model.parts = std::move(parts);
   return model;
 }
@@ -155,10 +172,10 @@ MitsubaModel rough_plastic(const Reader& reader) {
   parts->choose("fresnel", "conductor")
       .set("eta", SceneValue(eta), MaterialParts::index)
       .set("k", SceneValue(0.0), MaterialParts::extinction);
-  set_scale(*parts, reader.value("specularreflectance", 1));
+  set_scale(*parts, reflectance(reader, "specularreflectance", 1));
   if (parts->problem().empty()) {
     const bool nonlinear = reader.values.boolean(reader.bsdf, "nonlinear", false);
-    parts->set_lambertian(body_albedo(reader.value("diffusereflectance", 0.5), eta, nonlinear));
+    parts->set_lambertian(body_albedo(reflectance(reader, "diffusereflectance", 0.5), eta, nonlinear));
   }
   reader.note("beside its lobe, a Lambertian part of the body's mean albedo under a smooth surface");
   model.parts = std::move(parts);
@@ -174,7 +191,7 @@ TwoReflectances conserved(const Reader& reader) {
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) most = std::max(most, two.specular.high[i] + two.diffuse.high[i]);
   const bool is_known = two.specular.is_known && two.diffuse.is_known;
-  if (!(most > 1) || !reader.values.boolean(reader.bsdf, "ensureenergyconservation", true)) return two;
+  if (!(most > 1) || !is_conserved(reader)) return two;
   if (!is_known) {
     reader.note("the renderer scales its reflectances if they exceed 1 together, which isn't known of a texture");
     return two;

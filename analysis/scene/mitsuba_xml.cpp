@@ -108,7 +108,7 @@ std::string MitsubaValues::attribute(const MitsubaElement& element, const char* 
   return text;
 }
 
-std::optional<MitsubaElement> MitsubaValues::find(const MitsubaElement& parent, std::string_view parameter) const {
+std::optional<MitsubaElement> MitsubaValues::find(const MitsubaElement& parent, std::string_view parameter) {
   for (const pugi::xml_node& child : parent.node.children()) {
     if (is_same_parameter(child.attribute("name").value(), parameter)) return MitsubaElement{child, parent.file};
   }

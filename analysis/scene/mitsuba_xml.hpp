@@ -58,7 +58,7 @@ class MitsubaValues {
   std::string attribute(const MitsubaElement& element, const char* name) const;
 
   /// The child that sets a parameter.
-  std::optional<MitsubaElement> find(const MitsubaElement& parent, std::string_view parameter) const;
+  static std::optional<MitsubaElement> find(const MitsubaElement& parent, std::string_view parameter);
 
   SceneValue value(const MitsubaElement& parent, std::string_view parameter, const SceneValue& otherwise);
   std::string text(const MitsubaElement& parent, std::string_view parameter, const std::string& otherwise) const;

@@ -153,7 +153,7 @@ class PbrtReader {
       });
     } else {
       const std::optional<SceneValue> known_eta = metal(material, "eta", place), known_k = metal(material, "k", place);
-      if (!known_eta || !known_k) {
+      if (!known_eta || !known_k || !known_eta->is_known || !known_k->is_known) {
         return builder_.add_unmodelled(place, "the numbers of a spectrum that it names aren't known here");
       }
       eta = *known_eta;

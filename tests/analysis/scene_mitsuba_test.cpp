@@ -99,6 +99,17 @@ TEST_F(MitsubaScene, RoughConductor) {
   EXPECT_TRUE(has_note(unknown, "alpha_x = -1 is outside of [1e-06, 100]"));
 }
 
+TEST_F(MitsubaScene, ReflectancesAboveOneAndUnknownSpectra) {
+  const std::string bright = R"(<bsdf type="diffuse"><rgb name="reflectance" value="0.5 1 2"/></bsdf>
+    <bsdf type="roughconductor"><spectrum name="eta" filename="a.spd"/><spectrum name="k" filename="b.spd"/></bsdf>)";
+  const Scene old = old_scene(bright), recent = new_scene(bright);
+  EXPECT_EQ(rgb(only(old), "rho"), (Rgb3{0.99 * 0.5 / 2, 0.99 * 1 / 2, 0.99 * 2 / 2}));
+  EXPECT_TRUE(has_note(old, "a reflectance exceeds 1"));
+  EXPECT_EQ(recent.unmodelled, (std::map<std::string, std::size_t>{{"diffuse", 1}, {"roughconductor", 1}}));
+  EXPECT_TRUE(has_note(recent, "rho = 2 is outside of [0, 1]"));
+  EXPECT_TRUE(has_note(recent, "the numbers of its spectra aren't known"));
+}
+
 TEST_F(MitsubaScene, NegativeIndexAndSmallRoughness) {
   const Scene scene = old_scene(R"(<bsdf type="roughconductor"><float name="alpha" value="0"/>
     <float name="extEta" value="1"/><rgb name="eta" value="-0.05, 0.1, 0.2"/><rgb name="k" value="3"/></bsdf>)");
