@@ -46,20 +46,20 @@ Drawing ashikhmin_4(std::string_view name) {
 
   // the right half of the picture, over the axis of r = sinθ
   const double scale = static_cast<double>(size) / 2 / 1.04, middle = static_cast<double>(size) / 2 - 0.5;
-  std::string script = script_head(name, 8.6, 7.4) + "\nset multiplot\nunset key\n" +
-                       bare_panel({1.3, 1.25, 2.85, 5.7}) + "set xrange [" + std::to_string(middle) + ":" +
-                       std::to_string(middle + scale * 1.02) + "]\nset yrange [" +
-                       std::to_string(middle - scale * 1.02) + ":" + std::to_string(middle + scale * 1.02) +
-                       "]\nplot '" + std::string(name) + "-sphere.png' binary filetype=png with rgbimage\n" +
-                       bare_panel({5.2, 1.25, 3.1, 4.6}) + std::string(axes_style) + R"(
+  std::string script = script_head(name, 8.6, 6.6) + "\nset multiplot\nunset key\n" + bare_panel({0.2, 0.6, 2.9, 5.8}) +
+                       "set xrange [" + std::to_string(middle) + ":" + std::to_string(middle + scale * 1.03) +
+                       "]\nset yrange [" + std::to_string(middle - scale * 1.03) + ":" +
+                       std::to_string(middle + scale * 1.03) + "]\nplot '" + std::string(name) +
+                       "-sphere.png' binary filetype=png with rgbimage\n" + bare_panel({4.4, 1.15, 4, 3.6}) +
+                       std::string(axes_style) + R"(
 set xrange [0:1]
-set yrange [0:1.05]
-set xtics ('0°' 0, '30°' 0.5, '60°' sqrt(0.75), '90°' 1)
+set yrange [0:1.02]
+set xtics ('0°' 0, '30°' 0.5, '60°' sqrt(0.75), '' 1)
 set ytics 0.2
 set format y '%.1f'
-set xlabel 'angle of view (at sin {/:Italic θ})' offset 0, 0.9
-set ylabel 'albedo {/:Italic a}' offset 1.9, 0
-set key at screen 8.45/width, screen 7.25/height right top vertical Left reverse samplen 2.5 spacing 1.05
+set xlabel 'angle of view {/:Italic θ}, at sin {/:Italic θ}' offset 0, 1.5 - letter
+set ylabel 'albedo {/:Italic a}' offset 1.2, 0
+set key at screen 4.4/width, screen 6.5/height left top vertical Left reverse samplen 2.5 spacing 1.05
 plot data using 'r':'total' with lines linetype 1 title 'both terms', \
      data using 'r':'diffuse' with lines linetype 2 title 'diffuse (eq. 14)', \
      data using 'r':'specular' with lines linetype 3 title 'specular {/:Italic R}', \
@@ -70,7 +70,7 @@ unset output
   return {.data = std::move(data),
           .script = std::move(script),
           .unconverged = unconverged,
-          .attachments = files_of("sphere", sphere.picture, 1, provenance)};
+          .attachments = files_of("sphere", sphere.picture, 0.8, provenance)};
 }
 
 }  // namespace albedo::plots

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t size = 96;
 constexpr std::uint32_t samples = 256;
-constexpr double range = 4;  // of the shown deviations, in standard errors
+constexpr double exposure = 0.8;  // tells the furnace from the page
+constexpr double range = 4;       // of the shown deviations, in standard errors
 
 render::Picture grey(const std::vector<double>& values) {
   render::Picture picture(size, size);
@@ -49,7 +50,7 @@ Drawing furnace(std::string_view name) {
   for (const render::FurnaceModel& model : models) {
     const std::size_t before = tests.size() * size;
     tests.push_back(
-        render::test_in_furnace(model.make(), size, samples, tests.size() + 1, 1e-5,
+        render::test_in_furnace(model.make(), size, samples, tests.size() + 1,
                                 [&](std::size_t done, std::size_t) { progress.update(before + done, count * size); }));
   }
 
@@ -84,10 +85,9 @@ Drawing furnace(std::string_view name) {
   }
   const render::Picture traced_row = mosaic(traced, count, 0), albedo_row = mosaic(albedos, count, 0);
 
-  const double step = 2.75, width = step * static_cast<double>(count), left = 1.1;
+  const double step = 2.7, width = step * static_cast<double>(count), left = 1.1;
   constexpr double first = 1.75;
-  std::string script =
-      script_head(name, left + width + 0.2, first + 3 * step + 1) + "\nrange = " + short_text(range) + R"(
+  std::string script = script_head(name, left + width + 0.5, first + 3 * step + 1) + "\nrange = " + cm(range) + R"(
 set multiplot
 unset key
 set palette defined (-1 '#004D80', -0.5 '#56B4E9', 0 '#FFFFFF', 0.5 '#E69F00', 1 '#A03C00')
@@ -100,10 +100,10 @@ unset colorbox
     script += label_at(
         middle, first - 0.3,
         "Δ = (" + fixed(1e4 * tests[i].mean_difference, 1) + " ± " + fixed(1e4 * tests[i].mean_error, 1) + ")·10^{−4}",
-        "center font ',7'");
+        "center font ',7.5'");
     script += label_at(middle, first - 0.7,
                        "rms " + fixed(tests[i].rms_deviation, 3) + ", largest " + fixed(tests[i].largest_deviation, 1),
-                       "center font ',7'");
+                       "center font ',7.5'");
   }
   const std::array<const char*, 3> titles{"(traced − {/:Italic a}) / std. error", "from {/:Italic a}(θ)",
                                           "path-traced"};
@@ -111,22 +111,22 @@ unset colorbox
     script += label_at(left - 0.35, first + (static_cast<double>(i) + 0.5) * step, titles[i],
                        "center rotate by 90 font ',7.5'");
   }
-  script += label_at(left + width / 2 - 2.4, 0.3,
+  script += label_at(left, 0.3,
                      std::to_string(samples) +
-                         " samples a pixel. Δ: mean difference of the sphere and its standard "
-                         "error; rms and largest: of the deviations",
-                     "center font ',7'");
+                         " samples a pixel. Δ: mean of traced − {/:Italic a} over the sphere and its standard error; "
+                         "rms, largest: of the deviations",
+                     "left font ',7.5'");
   script +=
       placed_picture(name, "traced", traced_row, {left, first + 2 * step, width, step}) + "unset label\n" +
       placed_picture(name, "albedo", albedo_row, {left, first + step, width, step}) +
-      "set colorbox horizontal user origin screen " + short_text(left + width - 3.6) +
-      "/width, screen 0.55/height size screen 3.2/width, screen 0.2/height\nset cbtics 2 scale 0.5 offset 0, 0.5\n" +
+      "set colorbox horizontal user origin screen " + cm(left + width - 2.75) +
+      "/width, screen 0.55/height size screen 2.6/width, screen 0.2/height\nset cbtics 2 scale 0.5 offset 0, 0.5\n" +
       bare_panel({left, first, width, step}) + "set xrange [-0.5:" + std::to_string(row) +
       " - 0.5]\nset yrange [-0.5:" + std::to_string(size) + " - 0.5]\nplot '" + std::string(name) +
       "-deviation.png' binary filetype=png using (range * ($1 / 127.5 - 1)) with image\n" +
       "unset multiplot\nunset output\n";
-  std::vector<Attachment> attachments = files_of("traced", traced_row, 1, provenance);
-  for (Attachment& file : files_of("albedo", albedo_row, 1, provenance)) attachments.push_back(std::move(file));
+  std::vector<Attachment> attachments = files_of("traced", traced_row, exposure, provenance);
+  for (Attachment& file : files_of("albedo", albedo_row, exposure, provenance)) attachments.push_back(std::move(file));
   attachments.push_back({"deviation.png", render::encode_png(deviations, row, -range, range, provenance)});
   return {.data = std::move(data),
           .script = std::move(script),

@@ -8,7 +8,7 @@
 namespace albedo::plots {
 
 Drawing neumann_8(std::string_view name) {
-  constexpr std::size_t width = 264, height = 198;
+  constexpr std::size_t width = 336, height = 192;
   constexpr double exposure = 0.6;
   analysis::ProgressBar progress;
   std::vector<render::Rendering> renderings;
@@ -36,7 +36,7 @@ Drawing neumann_8(std::string_view name) {
   for (const render::Rendering& rendering : renderings) {
     pictures.push_back(picture_of(rendering, render::colour_of_bands));
   }
-  const render::Picture picture = mosaic(pictures, 2, 6);
+  const render::Picture picture = mosaic(pictures, 2, 6, 1 / exposure);
   nlohmann::ordered_json provenance = provenance_of(name);
   provenance["source"] = "Neumann, Neumann & Szirmay-Kalos 1999, fig. 8; the scene is ours";
   provenance["model"] = "phong times the Fresnel factor of L.H; below pumped once";
@@ -50,7 +50,7 @@ Drawing neumann_8(std::string_view name) {
       label_at(0.8 + 4, top + 0.25, "{/:Italic n} = 20") + label_at(0.8 + 12.2, top + 0.25, "{/:Italic n} = 5000") +
       label_at(0.4, 0.55 + 0.75 * picture_height, "reciprocal Phong", "center rotate by 90") +
       label_at(0.4, 0.55 + 0.25 * picture_height, "pumped once", "center rotate by 90") +
-      label_at(8.9, 0.25, noise_text(panels) + "; the sky's is 1", "center font ',7'") +
+      label_at(8.9, 0.25, noise_text(panels) + "; the sky's is 1", "center font ',7.5'") +
       placed_picture(name, "scene", picture, {0.8, 0.55, 16.2, picture_height}) + "unset multiplot\nunset output\n";
   return {.data = panels_csv(provenance, panels),
           .script = std::move(script),

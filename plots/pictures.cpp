@@ -1,6 +1,7 @@
 #include "plots/pictures.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <sstream>
 
 #include "albedo/version.hpp"
@@ -20,6 +21,12 @@ std::string short_text(double value) {
   std::ostringstream out;
   out.precision(3);
   out << value;
+  return out.str();
+}
+
+std::string cm(double length) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(3) << length;
   return out.str();
 }
 
@@ -55,21 +62,20 @@ std::string panels_csv(const ordered_json& provenance, const std::vector<Panel>&
   return csv;
 }
 
-std::string noise_text(const std::vector<Panel>& panels) {
+std::string noise_text(const std::vector<Panel>& panels, bool two_lines) {
   double mean = 0, largest = 0;
   for (const Panel& panel : panels) {
     mean += panel.rendering.mean_error() / static_cast<double>(panels.size());
     largest = std::max(largest, panel.rendering.largest_error());
   }
-  return std::to_string(panels.front().rendering.samples) + " samples a pixel; standard error of the luminance " +
-         short_text(mean) + " in the mean, " + short_text(largest) + " at most";
+  return std::to_string(panels.front().rendering.samples) + " samples a pixel;" + (two_lines ? "\\n" : " ") +
+         "standard error of the luminance: mean " + short_text(mean) + ", largest " + short_text(largest);
 }
 
 std::string bare_panel(const Place& place) {
-  return "unset border\nunset tics\nunset xlabel\nunset ylabel\nset lmargin at screen " + short_text(place.left) +
-         "/width\nset rmargin at screen " + short_text(place.left + place.width) + "/width\nset bmargin at screen " +
-         short_text(place.bottom) + "/height\nset tmargin at screen " + short_text(place.bottom + place.height) +
-         "/height\n";
+  return "unset border\nunset xtics\nunset ytics\nunset xlabel\nunset ylabel\nset lmargin at screen " + cm(place.left) +
+         "/width\nset rmargin at screen " + cm(place.left + place.width) + "/width\nset bmargin at screen " +
+         cm(place.bottom) + "/height\nset tmargin at screen " + cm(place.bottom + place.height) + "/height\n";
 }
 
 std::string placed_picture(std::string_view name, const std::string& suffix, const Picture& picture,
@@ -80,16 +86,15 @@ std::string placed_picture(std::string_view name, const std::string& suffix, con
 }
 
 std::string label_at(double x, double y, const std::string& text, const std::string& how) {
-  return "set label \"" + text + "\" at screen " + short_text(x) + "/width, screen " + short_text(y) + "/height " +
-         how + "\n";
+  return "set label \"" + text + "\" at screen " + cm(x) + "/width, screen " + cm(y) + "/height " + how + "\n";
 }
 
 std::string exponent_text(double exponent) { return std::to_string(static_cast<int>(exponent)); }
 
 Drawing sphere_grid(std::string_view name, const std::string& what, double exposure,
                     std::vector<render::SurfaceLobe> (*lobes)(double n_u, double n_v)) {
-  constexpr std::size_t size = 100;
-  constexpr std::uint32_t samples = 144;
+  constexpr std::size_t size = 128;
+  constexpr std::uint32_t samples = 256;
   std::vector<Rendering> renderings;
   analysis::ProgressBar progress;
   for (const double n_v : exponents) {
@@ -108,14 +113,14 @@ Drawing sphere_grid(std::string_view name, const std::string& what, double expos
         {"n_u=" + exponent_text(exponents[i % 4]) + " n_v=" + exponent_text(exponents[i / 4]), renderings[i]});
     pictures.push_back(picture_of(renderings[i], render::first_three));
   }
-  const Picture picture = mosaic(pictures, 4, 4);
+  const Picture picture = mosaic(pictures, 4, 4, 1 / exposure);
   ordered_json provenance = provenance_of(name);
   provenance["source"] = what;
   provenance["noise"] = noise_text(panels);
 
   const Place place{0.75, 0.75, 8.1, 8.1};
   std::string script = script_head(name, 8.9, 9.35) + "\nset multiplot\nunset key\n" + exponent_labels(place) +
-                       label_at(4.8, 0.3, noise_text(panels), "center font ',7'") +
+                       label_at(4.8, 0.4, noise_text(panels, true), "center font ',7.5'") +
                        placed_picture(name, "spheres", picture, place) + "unset multiplot\nunset output\n";
   return {.data = panels_csv(provenance, panels),
           .script = std::move(script),

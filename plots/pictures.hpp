@@ -17,6 +17,9 @@ namespace albedo::plots {
 /// A number with few digits, for labels and scripts.
 std::string short_text(double value);
 
+/// A length on the page for a script, with a decimal point: gnuplot divides whole numbers as such.
+std::string cm(double length);
+
 /// The version and the command, to which a figure adds what it is of.
 nlohmann::ordered_json provenance_of(std::string_view name);
 
@@ -36,8 +39,9 @@ struct Panel {
 /// A whole CSV: the provenance, and for each picture its size, samples, mean luminance, and standard errors.
 std::string panels_csv(const nlohmann::ordered_json& provenance, const std::vector<Panel>& panels);
 
-/// "N samples a pixel; standard error of the luminance: X in the mean, Y at most": over all of the renderings.
-std::string noise_text(const std::vector<Panel>& panels);
+/// "N samples a pixel; standard error of the luminance: mean X, largest Y", over all of the renderings; on one line or,
+/// for a narrow figure's label, two.
+std::string noise_text(const std::vector<Panel>& panels, bool two_lines = false);
 
 /// A rectangle of the page, in cm from its lower left corner.
 struct Place {

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <functional>
+#include <iomanip>
+#include <sstream>
 
 #include "analysis/commands/progress.hpp"
 #include "analysis/output/table_document.hpp"
@@ -15,7 +18,7 @@ using render::Rendering;
 using render::WalterPictures;
 
 constexpr std::array<double, 6> alphas{0.05, 0.1, 0.15, 0.2, 0.3, 0.5};
-constexpr std::size_t size = 176;
+constexpr std::size_t size = 160;
 constexpr std::uint32_t uniform_samples = 1024, samples = 256;
 constexpr double range = 0.3;  // of the shown differences
 
@@ -106,52 +109,56 @@ Drawing walter_3(std::string_view name) {
                          render::encode_png(difference(box.weighted, box.uniform), size, -range, range, provenance)});
 
   const Picture shape(size, size);
-  constexpr double edge = 3.9, lower = 0.85, upper = lower + edge + 0.55;
+  constexpr double edge = 3.9, lower = 1.0, upper = lower + edge + 0.55;
   const auto place = [&](int column, double bottom) { return Place{0.15 + 4.05 * column, bottom, edge, edge}; };
   const auto middle = [&](int column) { return 0.15 + 4.05 * column + edge / 2; };
   const auto line = [&](int number, const std::string& text) {
-    return label_at(0.2, lower + 2.15 - 0.4 * number, text, "left font ',7.5'");
+    return label_at(0.2, lower + 2 - 0.42 * number, text, "left font ',7.5'");
   };
-  const auto plus_minus = [](const Mean& mean) { return short_text(mean.value) + " ± " + short_text(mean.error); };
+  const auto plus_minus = [](const Mean& mean) {
+    std::ostringstream out;
+    out << std::fixed << std::setprecision(4) << mean.value << " ± " << mean.error;
+    return out.str();
+  };
   std::string script =
-      script_head(name, 17.8, upper + edge + 0.55) + "\nrange = " + short_text(range) + R"(
+      script_head(name, 17.8, upper + edge + 0.55) + "\nrange = " + cm(range) + R"(
 set multiplot
 unset key
 set palette defined (-1 '#004D80', -0.5 '#56B4E9', 0 '#FFFFFF', 0.5 '#E69F00', 1 '#A03C00')
 set cbrange [-range:range]
 unset colorbox
 )" + label_at(middle(0), upper + edge + 0.25, "(a) uniform sampling") +
-      label_at(middle(1), upper + edge + 0.25, "(b) Ward's sampling, equal weights") +
-      label_at(middle(2), upper + edge + 0.25, "(c) the same, weights of eq. 10") +
+      label_at(middle(1), upper + edge + 0.25, "(b) equal weights") +
+      label_at(middle(2), upper + edge + 0.25, "(c) weights of eq. 10") +
       label_at(middle(1), lower + edge + 0.25, "(b) − (a)") + label_at(middle(2), lower + edge + 0.25, "(c) − (a)") +
-      label_at(15.6, upper + edge + 0.25, "(d) bias of equal weights") + line(0, "mean over the sphere:") +
-      line(1, "(a)  " + plus_minus(box.reference)) + line(2, "(b) − (a)  " + plus_minus(box.equal_minus_reference)) +
-      line(3, "   from curve (d)  " + plus_minus(box.predicted)) +
-      line(4, "(c) − (a)  " + plus_minus(box.weighted_minus_reference)) +
-      label_at(6.1, 0.3,
-               "samples a pixel: (a) " + std::to_string(uniform_samples) + ", (b, c) " + std::to_string(samples) +
-                   "; standard error of the luminance (mean, largest): (a) " + short_text(box.uniform.mean_error()) +
+      label_at(15.6, upper + edge + 0.25, "(d) in a furnace: (b) − (c)") + line(0, "means over the sphere:") +
+      line(1, "(a) " + plus_minus(box.reference)) + line(2, "(b) − (a) " + plus_minus(box.equal_minus_reference)) +
+      line(3, "  by curve (d) " + plus_minus(box.predicted)) +
+      line(4, "(c) − (a) " + plus_minus(box.weighted_minus_reference)) +
+      label_at(6.1, 0.6,
+               "samples a pixel: (a) " + std::to_string(uniform_samples) + ", (b), (c) " + std::to_string(samples) +
+                   "\\nstandard error of the luminance, mean and largest: (a) " + short_text(box.uniform.mean_error()) +
                    ", " + short_text(box.uniform.largest_error()) + "; (c) " + short_text(box.weighted.mean_error()) +
                    ", " + short_text(box.weighted.largest_error()),
-               "center font ',7'") +
+               "center font ',7.5'") +
       placed_picture(name, "uniform", shape, place(0, upper)) + "unset label\n" +
       placed_picture(name, "equal", shape, place(1, upper)) + placed_picture(name, "weighted", shape, place(2, upper)) +
-      "set colorbox horizontal user origin screen 0.5/width, screen " + short_text(lower + 3.1) +
+      "set colorbox horizontal user origin screen 0.5/width, screen " + cm(lower + 3.1) +
       "/height size screen 3.2/width, screen 0.25/height\nset cbtics 0.3 scale 0.5 offset 0, 0.5\n"
-      "set cblabel 'difference of luminance' offset 0, 1\n" +
+      "set cblabel 'difference' offset 0, 1.2\n" +
       placed_difference(name, "equal-difference", place(1, lower)) + "unset colorbox\n" +
       placed_difference(name, "weighted-difference", place(2, lower)) +
-      bare_panel({13.6, lower + 0.5, 4, upper + edge - lower - 0.5}) + std::string(axes_style) + R"(
+      bare_panel({13.6, lower + 0.2, 4, upper + edge - lower - 0.2}) + std::string(axes_style) + R"(
 set xrange [0:90]
-set yrange [-0.3:0.5]
+set yrange [-0.2:0.9]
 set xtics 30
 set mxtics 3
 set ytics 0.1
 set format y '%.1f'
 set grid ytics linetype -1 linecolor rgb '#DDDDDD' linewidth 0.4
-set xlabel 'angle of view {/:Italic θ} [degrees]' offset 0, 0.7
-set ylabel 'albedo − {/:Italic a} for {/:Italic ρ_s} = 1' offset 1.7, 0
-set key at graph 0.04, graph 0.03 left bottom Left reverse samplen 2.5 spacing 1.05
+set xlabel 'angle of view {/:Italic θ} [degrees]' offset 0, 1.5 - letter
+set ylabel 'bias of the albedo, {/:Italic ρ_s} = 1' offset 1.7, 0
+set key at graph 0.03, graph 0.99 left top Left reverse samplen 2.5 spacing 1.05
 plot )";
   for (std::size_t i = 0; i < alphas.size(); ++i) {
     script += std::string(i == 0 ? "" : ", \\\n     ") + "data using 'theta':'bias_" + short_text(alphas[i]) +

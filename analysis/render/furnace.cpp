@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "albedo/combinators/pumped.hpp"
+#include "albedo/curve.hpp"
 
 namespace albedo::render {
 namespace {
@@ -45,27 +47,40 @@ Cover cover(const Scene& scene, const Camera& camera, std::size_t x, std::size_t
   return {static_cast<double>(hits) / (parts * parts), hit->frame.local(-ray.direction)};
 }
 
-template <const char* model, PumpControl control, int times>
-std::unique_ptr<Model> pumped_20() {
-  return std::make_unique<PumpedModel>(make_model(model, {{"n", 20.0}}),
-                                       PumpOptions{.times = times, .control = control});
-}
-constexpr char phong[] = "phong", blinn[] = "blinn";
-
-std::unique_ptr<Model> pumped(const std::string& name, const Parameters& parameters) {
-  return std::make_unique<PumpedModel>(make_model(name, parameters));
-}
+constexpr double tolerance = 1e-5;  // of the albedos in tests
 
 }  // namespace
 
-AlbedoOf::AlbedoOf(const Model& model, double tolerance) : model_(model), tolerance_(tolerance) {
-  if (model.claims().isotropic) curve_.emplace(model, CurveOptions{.albedo = {.tolerance = tolerance}});
+AlbedoFunction albedo_of(const Model& model, double tolerance) {
+  if (!model.claims().isotropic) {
+    return [&model, tolerance](const UnitVector<double>& v) {
+      return directional_albedo(model, direction_of(v), {.tolerance = tolerance});
+    };
+  }
+  const auto curve = std::make_shared<AlbedoCurve>(model, CurveOptions{.albedo = {.tolerance = tolerance}});
+  return [curve](const UnitVector<double>& v) {
+    const double value = (*curve)(v.z);
+    return Estimate{.value = value, .error = value * curve->relative_bound(), .status = curve->status()};
+  };
 }
 
-Estimate AlbedoOf::operator()(const UnitVector<double>& v) const {
-  if (!curve_) return directional_albedo(model_, direction_of(v), {.tolerance = tolerance_});
-  const double value = (*curve_)(v.z);
-  return {.value = value, .error = value * curve_->relative_bound(), .status = curve_->status()};
+FurnaceCase plain_case(std::unique_ptr<Model> model) {
+  const std::shared_ptr<const Model> shared = std::move(model);
+  return {shared, [shared, albedo = albedo_of(*shared, tolerance)](const auto& v) { return albedo(v); }};
+}
+
+FurnaceCase pumped_case(std::string_view model, const Parameters& parameters, const PumpOptions& options) {
+  auto pumped = std::make_unique<PumpedModel>(make_model(model, parameters), options);
+  if (!pumped->claims().isotropic) return plain_case(std::move(pumped));
+  const std::shared_ptr<const PumpedModel> shared = std::move(pumped);
+  const auto sequence =
+      std::make_shared<PumpSequence>(shared->base(), options.control, options.only_up, options.tolerance);
+  for (int k = 0; k < options.times; ++k) sequence->advance();
+  return {shared, [shared, sequence, order = options.times](const UnitVector<double>& v) {
+            const double value = sequence->albedo(order, v.z);
+            return Estimate{
+                .value = value, .error = value * sequence->relative_bound(order), .status = sequence->status()};
+          }};
 }
 
 Camera furnace_camera() { return Camera::parallel(Vector::Zero(), Vector::UnitY(), half_width); }
@@ -81,7 +96,7 @@ Scene furnace(std::vector<SurfaceLobe> lobes) {
 AlbedoSphere albedo_sphere(const Model& model, std::size_t size, double tolerance) {
   const Scene scene = furnace({});
   const Camera camera = furnace_camera();
-  const AlbedoOf albedo(model, tolerance);
+  const AlbedoFunction albedo = albedo_of(model, tolerance);
   const std::size_t half = (size + 1) / 2;
   std::vector<Cover> covers(half * half);
   std::vector<Estimate> estimates(half * half);
@@ -113,25 +128,37 @@ AlbedoSphere albedo_sphere(const Model& model, std::size_t size, double toleranc
 
 const std::vector<FurnaceModel>& furnace_models() {
   static const std::vector<FurnaceModel> list{
-      {"Phong, {/:Italic n} = 20\\npumped once", pumped_20<phong, PumpControl::none, 1>},
-      {"Phong, {/:Italic n} = 20\\npumped 5 times", pumped_20<phong, PumpControl::none, 5>},
-      {"Phong, {/:Italic n} = 20\\n3 times, total", pumped_20<phong, PumpControl::total, 3>},
-      {"Blinn, {/:Italic n} = 20\\n2 times, step", pumped_20<blinn, PumpControl::step, 2>},
+      {"Phong, {/:Italic n} = 20\\npumped once",
+       [] {
+         return pumped_case("phong", {{"n", 20.0}}, {});
+       }},
+      {"Phong, {/:Italic n} = 20\\n3 times, total",
+       [] {
+         return pumped_case("phong", {{"n", 20.0}}, {.times = 3, .control = PumpControl::total});
+       }},
+      {"Blinn, {/:Italic n} = 20\\n2 times, step",
+       [] {
+         return pumped_case("blinn", {{"n", 20.0}}, {.times = 2, .control = PumpControl::step});
+       }},
+      {"Ward, {/:Italic α} = 0.3\\npumped once",
+       [] {
+         return pumped_case("ward", {{"alpha", 0.3}}, {});
+       }},
       {"GGX, {/:Italic α} = 0.5\\npumped once",
        [] {
-         return pumped("ggx", {{"alpha", 0.5}});
+         return pumped_case("ggx", {{"alpha", 0.5}}, {});
        }},
-      {"Ash.–Shirley, 10 × 100\\npumped once",
+      {"Ash.–Shirley, 10 × 100\\nnot pumped",
        [] {
-         return pumped("ashikhmin_shirley", {{"n_u", 10.0}, {"n_v", 100.0}});
+         return plain_case(make_model("ashikhmin_shirley", {{"n_u", 10.0}, {"n_v", 100.0}}));
        }},
   };
   return list;
 }
 
-FurnaceTest test_in_furnace(std::shared_ptr<const Model> model, std::size_t size, std::uint32_t samples,
-                            std::uint64_t seed, double tolerance, const analysis::ProgressCallback& progress) {
-  const Scene scene = furnace(lobes_of(model, constant(Spectrum(1))));
+FurnaceTest test_in_furnace(const FurnaceCase& furnace_case, std::size_t size, std::uint32_t samples,
+                            std::uint64_t seed, const analysis::ProgressCallback& progress) {
+  const Scene scene = furnace(lobes_of(furnace_case.model, constant(Spectrum(1))));
   const Camera camera = furnace_camera();
   FurnaceTest test{
       .traced = render(
@@ -140,7 +167,6 @@ FurnaceTest test_in_furnace(std::shared_ptr<const Model> model, std::size_t size
           progress),
       .albedo = std::vector<double>(size * size, 1),
       .deviation = std::vector<double>(size * size, 0)};
-  const AlbedoOf albedo(*model, tolerance);
   std::vector<Status> status(size * size, Status::converged);
   std::vector<char> on_sphere(size * size, 0);
   analysis::in_parallel(size, 0, [&](std::size_t y) {
@@ -148,7 +174,7 @@ FurnaceTest test_in_furnace(std::shared_ptr<const Model> model, std::size_t size
       const Ray ray = camera.ray(coordinate(x, 0.5, size), -coordinate(y, 0.5, size));
       const auto hit = scene.closest(ray);
       if (!hit) continue;
-      const Estimate estimate = albedo(hit->frame.local(-ray.direction));
+      const Estimate estimate = furnace_case.albedo(hit->frame.local(-ray.direction));
       const std::size_t pixel = y * size + x;
       test.albedo[pixel] = estimate.value;
       status[pixel] = estimate.status;

@@ -2,29 +2,23 @@
 /// Spheres in a white furnace: radiance 1 from everywhere, so that what is seen of a reciprocal model is a(V).
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "albedo/curve.hpp"
+#include "albedo/directional_albedo.hpp"
+#include "albedo/pumping.hpp"
 #include "analysis/render/picture.hpp"
 
 namespace albedo::render {
 
-/// a(V) of a model: from a curve where it is isotropic, integrated for every direction otherwise.
-class AlbedoOf {
- public:
-  AlbedoOf(const Model& model, double tolerance);
+/// The albedo of a direction, with its error.
+using AlbedoFunction = std::function<Estimate(const UnitVector<double>& v)>;
 
-  /// The albedo, and its error.
-  [[nodiscard]] Estimate operator()(const UnitVector<double>& v) const;
-
- private:
-  const Model& model_;
-  double tolerance_;
-  std::optional<AlbedoCurve> curve_{};
-};
+/// a(V) of a model that outlives it: from a curve where it is isotropic, integrated for every direction otherwise.
+AlbedoFunction albedo_of(const Model& model, double tolerance);
 
 /// The camera of all furnaces: parallel rays along y, a sphere of radius 1 about the origin, its axis upwards.
 Camera furnace_camera();
@@ -41,13 +35,26 @@ struct AlbedoSphere {
 /// A model is taken to be symmetric about its two axes, as all of the library's are.
 AlbedoSphere albedo_sphere(const Model& model, std::size_t size, double tolerance);
 
-/// A model to be tested in the furnace.
-struct FurnaceModel {
-  std::string label{};  ///< with markup for gnuplot
-  std::unique_ptr<Model> (*make)();
+/// A model and where its albedos come from.
+struct FurnaceCase {
+  std::shared_ptr<const Model> model{};
+  AlbedoFunction albedo{};
 };
 
-/// Pumped models of each control, isotropic and not, by mirror directions and by half vectors.
+/// A pumped model with the tables of PumpSequence, or integrated for every direction where it is anisotropic: the
+/// tables have the largest albedo over the azimuth.
+FurnaceCase pumped_case(std::string_view model, const Parameters& parameters, const PumpOptions& options);
+
+/// Any other model, by albedo_of.
+FurnaceCase plain_case(std::unique_ptr<Model> model);
+
+/// An entry of the list of what the furnace test is run for.
+struct FurnaceModel {
+  std::string label{};  ///< with markup for gnuplot
+  FurnaceCase (*make)();
+};
+
+/// Pumped models of each control, by mirror directions and by half vectors, and an anisotropic one that isn't pumped.
 const std::vector<FurnaceModel>& furnace_models();
 
 /// A path-traced sphere against its albedos, in the pixels' centres.
@@ -63,8 +70,7 @@ struct FurnaceTest {
   std::size_t unconverged = 0;  ///< albedos that missed the tolerance
 };
 
-FurnaceTest test_in_furnace(std::shared_ptr<const Model> model, std::size_t size, std::uint32_t samples,
-                            std::uint64_t seed, double tolerance = 1e-5,
-                            const analysis::ProgressCallback& progress = {});
+FurnaceTest test_in_furnace(const FurnaceCase& furnace_case, std::size_t size, std::uint32_t samples,
+                            std::uint64_t seed, const analysis::ProgressCallback& progress = {});
 
 }  // namespace albedo::render

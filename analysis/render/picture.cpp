@@ -96,10 +96,10 @@ Picture picture_of(const Rendering& rendering, Colour (*colour)(const Spectrum&)
 
 Colour first_three(const Spectrum& spectrum) { return {spectrum[0], spectrum[1], spectrum[2]}; }
 
-Picture mosaic(const std::vector<Picture>& pictures, std::size_t columns, std::size_t gap) {
+Picture mosaic(const std::vector<Picture>& pictures, std::size_t columns, std::size_t gap, double grey) {
   const std::size_t rows = (pictures.size() + columns - 1) / columns;
   const std::size_t step_x = pictures.front().width + gap, step_y = pictures.front().height + gap;
-  Picture result(columns * step_x - gap, rows * step_y - gap, {1, 1, 1});
+  Picture result(columns * step_x - gap, rows * step_y - gap, {grey, grey, grey});
   if (!pictures.front().error.empty()) result.error.assign(result.pixels.size(), 0);
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const Picture& part = pictures[i];

@@ -33,8 +33,8 @@ Picture picture_of(const Rendering& rendering, Colour (*colour)(const Spectrum&)
 /// The first three bands as they are.
 Colour first_three(const Spectrum& spectrum);
 
-/// Pictures of one size side by side, row by row, `gap` white pixels between them.
-Picture mosaic(const std::vector<Picture>& pictures, std::size_t columns, std::size_t gap);
+/// Pictures of one size side by side, row by row, `gap` pixels of one grey between them.
+Picture mosaic(const std::vector<Picture>& pictures, std::size_t columns, std::size_t gap, double grey = 1);
 
 /// A PNG of 8 bits with sRGB's curve, of `exposure` times the colours; what is below 0 or above 1 then shows as 0 or 1,
 /// as a screen would. The provenance is its text "albedo". The same picture gives the same bytes.
