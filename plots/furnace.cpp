@@ -97,25 +97,24 @@ unset colorbox
   for (std::size_t i = 0; i < count; ++i) {
     const double middle = left + (static_cast<double>(i) + 0.5) * step;
     script += label_at(middle, first + 3 * step + 0.65, models[i].label, "center font ',8'");
-    script += label_at(
-        middle, first - 0.3,
-        "Δ = (" + fixed(1e4 * tests[i].mean_difference, 1) + " ± " + fixed(1e4 * tests[i].mean_error, 1) + ")·10^{−4}",
-        "center font ',7.5'");
-    script += label_at(middle, first - 0.7,
-                       "rms " + fixed(tests[i].rms_deviation, 3) + ", largest " + fixed(tests[i].largest_deviation, 1),
+    script += label_at(middle, first - 0.25,
+                       "Δ = " + fixed(1e4 * tests[i].mean_difference, 1) + " ± " + fixed(1e4 * tests[i].mean_error, 1),
+                       "center font ',7.5'");
+    script += label_at(middle, first - 0.6,
+                       "rms " + fixed(tests[i].rms_deviation, 3) + ", max " + fixed(tests[i].largest_deviation, 1),
                        "center font ',7.5'");
   }
-  const std::array<const char*, 3> titles{"(traced − {/:Italic a}) / std. error", "from {/:Italic a}(θ)",
-                                          "path-traced"};
+  const std::array<const char*, 3> titles{"deviation", "albedo {/:Italic a}(θ)", "path-traced"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
     script += label_at(left - 0.35, first + (static_cast<double>(i) + 0.5) * step, titles[i],
                        "center rotate by 90 font ',7.5'");
   }
-  script += label_at(left, 0.3,
-                     std::to_string(samples) +
-                         " samples a pixel. Δ: mean of traced − {/:Italic a} over the sphere and its standard error; "
-                         "rms, largest: of the deviations",
-                     "left font ',7.5'");
+  script +=
+      label_at(left, 0.65,
+               std::to_string(samples) +
+                   " samples a pixel. Δ: mean of traced − {/:Italic a} over the sphere and its standard error, in "
+                   "10^{−4};\\nrms, max: of the deviations (traced − {/:Italic a})/(standard error of the pixel)",
+               "left font ',7.5'");
   script +=
       placed_picture(name, "traced", traced_row, {left, first + 2 * step, width, step}) + "unset label\n" +
       placed_picture(name, "albedo", albedo_row, {left, first + step, width, step}) +

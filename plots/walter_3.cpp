@@ -45,7 +45,7 @@ std::string curves_csv(std::size_t& unconverged) {
   return csv;
 }
 
-std::string describe(const Mean& mean) { return short_text(mean.value) + " +- " + short_text(mean.error); }
+nlohmann::ordered_json describe(const Mean& mean) { return {{"value", mean.value}, {"standard error", mean.error}}; }
 
 nlohmann::ordered_json numbers(const WalterPictures& pictures) {
   return {{"pixels of the sphere", pictures.pixels},
@@ -133,7 +133,7 @@ unset colorbox
       label_at(middle(1), lower + edge + 0.25, "(b) − (a)") + label_at(middle(2), lower + edge + 0.25, "(c) − (a)") +
       label_at(15.6, upper + edge + 0.25, "(d) in a furnace: (b) − (c)") + line(0, "means over the sphere:") +
       line(1, "(a) " + plus_minus(box.reference)) + line(2, "(b) − (a) " + plus_minus(box.equal_minus_reference)) +
-      line(3, "  by curve (d) " + plus_minus(box.predicted)) +
+      line(3, "  by (d) " + plus_minus(box.predicted)) +
       line(4, "(c) − (a) " + plus_minus(box.weighted_minus_reference)) +
       label_at(6.1, 0.6,
                "samples a pixel: (a) " + std::to_string(uniform_samples) + ", (b), (c) " + std::to_string(samples) +

@@ -148,7 +148,7 @@ const std::vector<FurnaceModel>& furnace_models() {
        [] {
          return pumped_case("ggx", {{"alpha", 0.5}}, {});
        }},
-      {"Ash.–Shirley, 10 × 100\\nnot pumped",
+      {"A.–Shirley, 10 × 100\\nnot pumped",
        [] {
          return plain_case(make_model("ashikhmin_shirley", {{"n_u", 10.0}, {"n_v", 100.0}}));
        }},
