@@ -81,7 +81,7 @@ unset key
 set grid ytics linetype -1 linecolor rgb '#DDDDDD' linewidth 0.4
 )";
   for (std::size_t panel = 0; panel < exponents.size(); ++panel) {
-    const double left = 10.5 + 3.85 * static_cast<double>(panel % 2), bottom = panel < 2 ? 5.6 : 1.7;
+    const double left = 10.4 + 3.8 * static_cast<double>(panel % 2), bottom = panel < 2 ? 5.6 : 1.7;
     const std::string n_u = exponent_text(exponents[panel]);
     script += bare_panel({left, bottom, 3.3, 3.1}) + std::string(axes_style) + R"(set xrange [0:90]
 set yrange [0:1.05]

@@ -30,10 +30,9 @@ Drawing ashikhmin_4(std::string_view name) {
   provenance["brightest"] = sphere.brightest;
   provenance["bound"] = "r of section 3: R_s + (1 - R_s)(1 - cos/2)^5";
   std::string data = comment_lines(provenance) + "r,theta,total,specular,diffuse,bound\n";
-  for (int i = 0; i <= 200; ++i) {
-    const double sine = std::min(i / 200.0, 0.99999);
-    const Direction l = Direction::from_cosine(std::sqrt((1 - sine) * (1 + sine)));
-    analysis::append_number(data, sine);
+  for (int i = 0; i <= 360; ++i) {
+    const Direction l = Direction::from_degrees(std::min(i / 4.0, 89.95));
+    analysis::append_number(data, l.sin_theta);
     analysis::append_number(data += ',', l.theta_degrees());
     for (const Model* model : {both.get(), specular.get(), diffuse.get()}) {
       const Estimate a = directional_albedo(*model, l, {.tolerance = tolerance});

@@ -120,7 +120,7 @@ Drawing sphere_grid(std::string_view name, const std::string& what, double expos
 
   const Place place{0.75, 0.75, 8.1, 8.1};
   std::string script = script_head(name, 8.9, 9.35) + "\nset multiplot\nunset key\n" + exponent_labels(place) +
-                       label_at(4.8, 0.4, noise_text(panels, true), "center font ',7.5'") +
+                       label_at(4.8, 0.5, noise_text(panels, true), "center font ',7.5'") +
                        placed_picture(name, "spheres", picture, place) + "unset multiplot\nunset output\n";
   return {.data = panels_csv(provenance, panels),
           .script = std::move(script),

@@ -47,7 +47,7 @@ Cover cover(const Scene& scene, const Camera& camera, std::size_t x, std::size_t
   return {static_cast<double>(hits) / (parts * parts), hit->frame.local(-ray.direction)};
 }
 
-constexpr double tolerance = 1e-5;  // of the albedos in tests
+constexpr double test_tolerance = 1e-5;  // of the albedos in tests
 
 }  // namespace
 
@@ -66,7 +66,7 @@ AlbedoFunction albedo_of(const Model& model, double tolerance) {
 
 FurnaceCase plain_case(std::unique_ptr<Model> model) {
   const std::shared_ptr<const Model> shared = std::move(model);
-  return {shared, [shared, albedo = albedo_of(*shared, tolerance)](const auto& v) { return albedo(v); }};
+  return {shared, [shared, albedo = albedo_of(*shared, test_tolerance)](const auto& v) { return albedo(v); }};
 }
 
 FurnaceCase pumped_case(std::string_view model, const Parameters& parameters, const PumpOptions& options) {
