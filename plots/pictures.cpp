@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 using render::Picture;
 using render::Rendering;
 
-std::string short_text(double value) {
+std::string rounded_text(double value) {
   std::ostringstream out;
   out.precision(3);
   out << value;
@@ -69,7 +69,7 @@ std::string noise_text(const std::vector<Panel>& panels, bool two_lines) {
     largest = std::max(largest, panel.rendering.largest_error());
   }
   return std::to_string(panels.front().rendering.samples) + " samples a pixel;" + (two_lines ? "\\n" : " ") +
-         "standard error of the luminance: mean " + short_text(mean) + ", largest " + short_text(largest);
+         "standard error of the luminance: mean " + rounded_text(mean) + ", largest " + rounded_text(largest);
 }
 
 std::string bare_panel(const Place& place) {

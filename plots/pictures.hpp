@@ -15,7 +15,7 @@
 namespace albedo::plots {
 
 /// A number with few digits, for labels and scripts.
-std::string short_text(double value);
+std::string rounded_text(double value);
 
 /// A length on the page for a script, with a decimal point: gnuplot divides whole numbers as such.
 std::string cm(double length);

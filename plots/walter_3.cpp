@@ -25,7 +25,7 @@ constexpr double range = 0.3;  // of the shown differences
 std::string curves_csv(std::size_t& unconverged) {
   std::string csv = "theta";
   for (const double alpha : alphas) {
-    csv += ",albedo_" + short_text(alpha) + ",equal_" + short_text(alpha) + ",bias_" + short_text(alpha);
+    csv += ",albedo_" + rounded_text(alpha) + ",equal_" + rounded_text(alpha) + ",bias_" + rounded_text(alpha);
   }
   csv += '\n';
   for (int half_degrees = 0; half_degrees < 180; ++half_degrees) {
@@ -137,9 +137,10 @@ unset colorbox
       line(4, "(c) − (a) " + plus_minus(box.weighted_minus_reference)) +
       label_at(6.1, 0.6,
                "samples a pixel: (a) " + std::to_string(uniform_samples) + ", (b), (c) " + std::to_string(samples) +
-                   "\\nstandard error of the luminance, mean and largest: (a) " + short_text(box.uniform.mean_error()) +
-                   ", " + short_text(box.uniform.largest_error()) + "; (c) " + short_text(box.weighted.mean_error()) +
-                   ", " + short_text(box.weighted.largest_error()),
+                   "\\nstandard error of the luminance, mean and largest: (a) " +
+                   rounded_text(box.uniform.mean_error()) + ", " + rounded_text(box.uniform.largest_error()) +
+                   "; (c) " + rounded_text(box.weighted.mean_error()) + ", " +
+                   rounded_text(box.weighted.largest_error()),
                "center font ',7.5'") +
       placed_picture(name, "uniform", shape, place(0, upper)) + "unset label\n" +
       placed_picture(name, "equal", shape, place(1, upper)) + placed_picture(name, "weighted", shape, place(2, upper)) +
@@ -161,8 +162,8 @@ set ylabel 'bias of the albedo, {/:Italic ρ_s} = 1' offset 1.7, 0
 set key at graph 0.03, graph 0.99 left top Left reverse samplen 2.5 spacing 1.05
 plot )";
   for (std::size_t i = 0; i < alphas.size(); ++i) {
-    script += std::string(i == 0 ? "" : ", \\\n     ") + "data using 'theta':'bias_" + short_text(alphas[i]) +
-              "' with lines linetype " + std::to_string(i + 1) + " title '{/:Italic α} = " + short_text(alphas[i]) +
+    script += std::string(i == 0 ? "" : ", \\\n     ") + "data using 'theta':'bias_" + rounded_text(alphas[i]) +
+              "' with lines linetype " + std::to_string(i + 1) + " title '{/:Italic α} = " + rounded_text(alphas[i]) +
               "'";
   }
   script += "\nunset multiplot\nunset output\n";

@@ -26,7 +26,10 @@ Once pumped_once(const Model& model, bool only_up) {
   PumpSequence sequence(model, PumpControl::none, only_up, tolerance);
   sequence.advance();
   Once once;
-  for (const double theta : angles) {
+  constexpr std::array grazing{89.99, 89.999, 89.999999};
+  std::vector<double> all(angles.begin(), angles.end());
+  all.insert(all.end(), grazing.begin(), grazing.end());
+  for (const double theta : all) {
     const double before = sequence.albedo(0, cosine(theta)), after = sequence.albedo(1, cosine(theta));
     const double error = before * sequence.relative_bound(0) + after * sequence.relative_bound(1);
     once.above.look(after - 1 - error, degrees(theta));
@@ -229,27 +232,36 @@ double difference(const Model& a, const Model& b) {
 
 Finding control_ends_at_eq_22(const ModelSource& make) {
   constexpr int often = 12;
+  constexpr double same = 1e-5;
   Finding finding;
+  std::vector<std::string> ends_there, elsewhere;
   Worst of_all, of_each;
-  for (const double n : {1.0, 20.0, 200.0}) {
+  for (const double n : {1.0, 2.0, 20.0, 200.0}) {
     const auto limit = make("neumann_phong", {{"n", n}});
     const auto pumped = [&](PumpControl control) {
       return PumpedModel(make("phong", {{"n", n}}), {.times = often, .control = control, .tolerance = 1e-7});
     };
-    of_all.look(difference(pumped(total), *limit), "n=" + show(n));
+    const double off = difference(pumped(total), *limit);
+    (off <= same ? ends_there : elsewhere).push_back("n=" + show(n));
+    if (off <= same) of_all.look(off, "n=" + show(n));
     of_each.look(difference(pumped(step), *limit), "n=" + show(n));
+    finding.quantities.push_back({"difference, floor of all divisors, n=" + show(n), off, 0});
   }
-  finding.quantities = {{"difference, floor of all divisors", of_all.value, 0},
-                        {"difference, floor of every step", of_each.value, 0}};
-  constexpr double same = 1e-5;
-  finding.verdict = of_all.value > same    ? ClaimVerdict::fails
-                    : of_each.value > same ? ClaimVerdict::holds_if
-                                           : ClaimVerdict::holds;
-  finding.found = "after 12 pumpings (n = 1, 20, 200, up to 87 degrees) f differs from eq. 22 by " +
-                  show(of_all.value, 2) + " with the floor of all divisors, by a factor of up to " +
-                  show(1 + of_each.value, 3) + " with the floor of every step";
-  if (finding.verdict == ClaimVerdict::holds_if)
-    finding.condition = "max(N.L, N.V) is a floor of the product of all divisors, not of each";
+  finding.quantities.push_back({"difference, floor of every step", of_each.value, 0});
+  finding.verdict = ends_there.empty()                           ? ClaimVerdict::fails
+                    : elsewhere.empty() && of_each.value <= same ? ClaimVerdict::holds
+                                                                 : ClaimVerdict::holds_if;
+  finding.found =
+      "after 12 pumpings with the floor of all divisors, up to 87 degrees, f differs from eq. 22 by at most " +
+      show(of_all.value, 2) + " (" + list_of(ends_there) + "); with the floor of every step by a factor of " +
+      show(1 + of_each.value, 3);
+  if (finding.verdict != ClaimVerdict::holds_if) return finding;
+  finding.condition = "max(N.L, N.V) is a floor of the product of all divisors, not of each";
+  if (elsewhere.empty()) return finding;
+  finding.condition += "; " + list_of(ends_there) + ", not " + list_of(elsewhere);
+  finding.worst =
+      "for " + list_of(elsewhere) +
+      " eq. 22 reflects more than it gets near normal incidence (N12), and what is pumped is darker by that";
   return finding;
 }
 
