@@ -10,6 +10,9 @@ namespace albedo::analysis {
 namespace {
 
 constexpr std::array angles{0.0, 15.0, 30.0, 45.0, 60.0, 70.0, 80.0, 85.0, 87.0, 89.0, 89.9};
+const std::string floor_of_all =
+    "max(N.L, N.V) as a floor of the product of all divisors, in place of eq. 21 at every step";
+
 constexpr PumpControl step = PumpControl::step, total = PumpControl::total;
 
 double cosine(double theta) { return Direction::from_degrees(theta).cos_theta; }
@@ -161,7 +164,9 @@ Finding control_keeps_radiance(const ModelSource& make) {
       "largest f N.L in units of that of the mirror direction at normal incidence, n=20, 5 pumpings: " + list_of(parts);
   if (broken.empty()) return finding;
   finding.worst = list_of(broken);
-  if (of_all) finding.condition = "max(N.L, N.V) is a floor of the product of all divisors, not of each";
+  if (!of_all) return finding;
+  finding.condition = "max(N.L, N.V) is a floor of the product of all divisors, not of each";
+  finding.repair = floor_of_all;
   return finding;
 }
 
@@ -211,8 +216,9 @@ Finding control_stops_below_one(const ModelSource& make) {
   finding.verdict = !below || !stops || !as_said ? ClaimVerdict::fails
                     : step_runs_on               ? ClaimVerdict::holds_if
                                                  : ClaimVerdict::holds;
-  if (finding.verdict == ClaimVerdict::holds_if)
-    finding.condition = "max(N.L, N.V) is a floor of the product of all divisors; as a floor of each it goes to 1";
+  if (finding.verdict != ClaimVerdict::holds_if) return finding;
+  finding.condition = "max(N.L, N.V) is a floor of the product of all divisors; as a floor of each it goes to 1";
+  finding.repair = floor_of_all;
   return finding;
 }
 
@@ -257,6 +263,7 @@ Finding control_ends_at_eq_22(const ModelSource& make) {
       show(1 + of_each.value, 3);
   if (finding.verdict != ClaimVerdict::holds_if) return finding;
   finding.condition = "max(N.L, N.V) is a floor of the product of all divisors, not of each";
+  finding.repair = floor_of_all;
   if (elsewhere.empty()) return finding;
   finding.condition += "; " + list_of(ends_there) + ", not " + list_of(elsewhere);
   finding.worst =
