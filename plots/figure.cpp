@@ -65,6 +65,7 @@ const std::vector<Figure>& figures() {
       {"neumann-8", "golden tank with pyramids of four metals (Neumann 1999, fig. 8)", neumann_8},
       {"walter-3", "Ward's sampling with equal and with right weights in a box (Walter 2005, fig. 3)", walter_3},
       {"furnace", "path-traced spheres of pumped models in a furnace against their albedos", furnace},
+      {"furnace-corrected", "the same of balanced models, and after Kulla and Conty, and Turquin", furnace},
   };
   return list;
 }

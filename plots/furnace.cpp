@@ -43,7 +43,8 @@ std::string fixed(double value, int digits) {
 }  // namespace
 
 Drawing furnace(std::string_view name) {
-  const std::vector<render::FurnaceModel>& models = render::furnace_models();
+  const std::vector<render::FurnaceModel>& models =
+      name == "furnace" ? render::furnace_models() : render::corrected_furnace_models();
   const std::size_t count = models.size();
   analysis::ProgressBar progress;
   std::vector<render::FurnaceTest> tests;

@@ -6,8 +6,12 @@
 
 #include "albedo/combinators/pumped.hpp"
 #include "albedo/curve.hpp"
+#include "analysis/studies/corrections.hpp"
 
 namespace albedo::render {
+
+using analysis::Correction;
+
 namespace {
 
 constexpr double half_width = 1.04;  // of the picture, in radii
@@ -83,6 +87,14 @@ FurnaceCase pumped_case(std::string_view model, const Parameters& parameters, co
           }};
 }
 
+namespace {
+
+FurnaceCase corrected_case(std::string_view model, const Parameters& parameters, Correction correction) {
+  return plain_case(analysis::Corrections{.correct = correction}.applied_to(make_model(model, parameters)));
+}
+
+}  // namespace
+
 Camera furnace_camera() { return Camera::parallel(Vector::Zero(), Vector::UnitY(), half_width); }
 
 Scene furnace(std::vector<SurfaceLobe> lobes) {
@@ -151,6 +163,36 @@ const std::vector<FurnaceModel>& furnace_models() {
       {"A.–Shirley, 10 × 100\\nnot pumped",
        [] {
          return plain_case(make_model("ashikhmin_shirley", {{"n_u", 10.0}, {"n_v", 100.0}}));
+       }},
+  };
+  return list;
+}
+
+const std::vector<FurnaceModel>& corrected_furnace_models() {
+  static const std::vector<FurnaceModel> list{
+      {"GGX, {/:Italic α} = 0.5\\nbalanced",
+       [] {
+         return corrected_case("ggx", {{"alpha", 0.5}}, Correction::balance);
+       }},
+      {"GGX, {/:Italic α} = 0.5\\nKulla–Conty",
+       [] {
+         return corrected_case("ggx", {{"alpha", 0.5}}, Correction::multiscatter);
+       }},
+      {"GGX, {/:Italic α} = 0.5\\nTurquin",
+       [] {
+         return corrected_case("ggx", {{"alpha", 0.5}}, Correction::turquin);
+       }},
+      {"Phong, {/:Italic n} = 20\\nbalanced",
+       [] {
+         return corrected_case("phong", {{"n", 20.0}}, Correction::balance);
+       }},
+      {"Blinn, {/:Italic n} = 20\\nKulla–Conty",
+       [] {
+         return corrected_case("blinn", {{"n", 20.0}}, Correction::multiscatter);
+       }},
+      {"Ward, {/:Italic α} = 0.3\\nbalanced",
+       [] {
+         return corrected_case("ward", {{"alpha", 0.3}}, Correction::balance);
        }},
   };
   return list;

@@ -57,6 +57,9 @@ struct FurnaceModel {
 /// Pumped models of each control, by mirror directions and by half vectors, and an anisotropic one that isn't pumped.
 const std::vector<FurnaceModel>& furnace_models();
 
+/// Models after other corrections than pumping: balanced, with Kulla and Conty's complement, after Turquin.
+const std::vector<FurnaceModel>& corrected_furnace_models();
+
 /// A path-traced sphere against its albedos, in the pixels' centres.
 struct FurnaceTest {
   Rendering traced{};

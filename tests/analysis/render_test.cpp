@@ -112,7 +112,9 @@ TEST(PathTracer, RouletteKeepsTheMean) {
 
 /// A wrong weight or density shows in the mean, one that is right has deviations of a standard error.
 TEST(Furnace, EveryModelIsItsAlbedo) {
-  for (const FurnaceModel& model : furnace_models()) {
+  std::vector<FurnaceModel> models = furnace_models();
+  models.insert(models.end(), corrected_furnace_models().begin(), corrected_furnace_models().end());
+  for (const FurnaceModel& model : models) {
     const FurnaceTest test = test_in_furnace(model.make(), 20, 512, 5);
     EXPECT_GT(test.pixels, 200U) << model.label;
     EXPECT_LT(std::abs(test.mean_difference), 4 * test.mean_error) << model.label;
