@@ -1,5 +1,6 @@
 /// @file
-/// Spheres in a white furnace: radiance 1 from everywhere, so that what is seen of a reciprocal model is a(V).
+/// Spheres in a white furnace: radiance 1 from everywhere, so that what is seen is the albedo of the direction to the
+/// eye.
 #pragma once
 
 #include <functional>

@@ -76,7 +76,6 @@ Reflectance constant(const Spectrum& colour) {
 
 std::vector<SurfaceLobe> lobes_of(std::shared_ptr<const Model> model, const Reflectance& reflectance) {
   const std::string& name = model->info().name;
-  if (!model->claims().reciprocal) throw ParameterError("scene: '" + name + "' isn't reciprocal and must be");
   if (model->coherent_albedo(Direction{}) != 0) {
     throw ParameterError("scene: '" + name + "' has a coherent part, which can't be drawn");
   }

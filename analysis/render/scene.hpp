@@ -47,7 +47,8 @@ enum class Sampling {
 using Reflectance = std::function<Spectrum(double cos_theta_d)>;
 Reflectance constant(const Spectrum& colour);
 
-/// One lobe of a reciprocal model, coloured. The model's L is the direction to the eye.
+/// One lobe of a model, coloured. The model's L is the direction to the eye: one that isn't reciprocal is seen as if
+/// light went from there.
 struct SurfaceLobe {
   std::shared_ptr<const Model> model;
   int component = 0;
@@ -57,7 +58,7 @@ struct SurfaceLobe {
 };
 
 /// All lobes of a model.
-/// @throws ParameterError for a model that isn't reciprocal, has a lobe without a sampler, or a coherent part
+/// @throws ParameterError for a model that has a lobe without a sampler, or a coherent part
 std::vector<SurfaceLobe> lobes_of(std::shared_ptr<const Model> model, const Reflectance& reflectance);
 
 /// A surface reflects, or it emits the same radiance in all directions of both its sides.
