@@ -55,6 +55,17 @@ const std::vector<Figure>& figures() {
       {"stability-anisotropic", "the same for lobes 1000 times as wide one way as the other", stability},
       {"stability-float", "digits that a formula keeps in float, from invariants and in textbook form",
        stability_float},
+      {"ashikhmin-2", "spheres in a furnace for 16 pairs of exponents, and curves (Ashikhmin & Shirley 2000, fig. 2)",
+       ashikhmin_2},
+      {"ashikhmin-3", "golden spheres for 16 pairs of exponents (fig. 3)", ashikhmin_3},
+      {"ashikhmin-4", "half a diffusely lit sphere, R_s = 0.05, R_d = 1, and its curves (fig. 4)", ashikhmin_4},
+      {"ashikhmin-6", "red plastic spheres for 16 pairs of exponents (fig. 6)", ashikhmin_6},
+      {"kurt-12", "a nearly ideal mirror with exponent 0.25 (Kurt et al. 2010, fig. 12)", kurt_12},
+      {"kurt-13", "two anisotropic spheres (Kurt et al. 2010, fig. 13)", kurt_13},
+      {"neumann-8", "golden tank with pyramids of four metals (Neumann 1999, fig. 8)", neumann_8},
+      {"walter-3", "Ward's sampling with equal and with right weights in a box (Walter 2005, fig. 3)", walter_3},
+      {"furnace", "path-traced spheres of pumped models in a furnace against their albedos", furnace},
+      {"furnace-corrected", "the same of balanced models, and after Kulla and Conty, and Turquin", furnace},
   };
   return list;
 }
@@ -95,6 +106,7 @@ std::size_t write_figure(const Figure& figure, const std::string& directory, con
   };
   add(data_path, drawing.data);
   add(script_path, drawing.script);
+  for (const Attachment& attachment : drawing.attachments) add(stem + "-" + attachment.suffix, attachment.bytes);
   if (!formats.empty()) {
     const std::vector<std::string> pictures = draw_with_gnuplot(std::string(figure.name), drawing, formats);
     for (std::size_t i = 0; i < formats.size(); ++i) add(picture_path(formats[i]), pictures[i]);

@@ -9,11 +9,18 @@
 
 namespace albedo::plots {
 
+/// A file beside a figure's data: NAME-suffix, such as neumann-8-scene.exr.
+struct Attachment {
+  std::string suffix;
+  std::string bytes;
+};
+
 /// A figure before it is drawn.
 struct Drawing {
   std::string data;             ///< the whole CSV file
-  std::string script;           ///< the whole gnuplot script, which reads the CSV file from the directory it is run in
+  std::string script;           ///< the whole gnuplot script, which reads the files from the directory it is run in
   std::size_t unconverged = 0;  ///< numbers in it that did not reach their tolerance
+  std::vector<Attachment> attachments{};  ///< the pictures that it places
 };
 
 /// One entry of the list of figures.
@@ -62,6 +69,26 @@ Drawing stability(std::string_view name);
 /// The stability atlas of the gauss rule on the lobe warp: errors of formulas in float.
 Drawing stability_float(std::string_view name);
 
+/// Ashikhmin & Shirley 2000, figures 2 (spheres in a furnace, and curves), 3 (gold), 4 (half a sphere, and curves) and
+/// 6 (red plastic).
+Drawing ashikhmin_2(std::string_view name);
+Drawing ashikhmin_3(std::string_view name);
+Drawing ashikhmin_4(std::string_view name);
+Drawing ashikhmin_6(std::string_view name);
+
+/// Kurt, Szirmay-Kalos & Křivánek 2010, figures 12 and 13: spheres.
+Drawing kurt_12(std::string_view name);
+Drawing kurt_13(std::string_view name);
+
+/// Neumann 1999, figure 8: the tank with pyramids.
+Drawing neumann_8(std::string_view name);
+
+/// Walter 2005, figure 3: the box, and the bias of equal weights.
+Drawing walter_3(std::string_view name);
+
+/// The renderer's furnace test.
+Drawing furnace(std::string_view name);
+
 /// Every figure.
 const std::vector<Figure>& figures();
 
@@ -75,8 +102,9 @@ std::string_view to_string(Format format);
 /// @throws ParameterError unless the text names a format
 Format parse_format(const std::string& text);
 
-/// Writes NAME.csv, NAME.gp and one NAME.FORMAT for each format into a directory, which is made if need be. None
-/// appears unless all of them are whole. Without formats there is nothing to draw, and gnuplot isn't needed.
+/// Writes NAME.csv, NAME.gp, the attachments and one NAME.FORMAT for each format into a directory, which is made if
+/// need be. None appears unless all of them are whole. Without formats there is nothing to draw, and gnuplot isn't
+/// needed.
 /// @returns how many of the figure's numbers did not reach their tolerance
 /// @throws WriteError
 std::size_t write_figure(const Figure& figure, const std::string& directory, const std::vector<Format>& formats);

@@ -162,6 +162,9 @@ std::vector<std::string> draw_with_gnuplot(const std::string& name, const Drawin
   const Workshop workshop(name);
   workshop.write(name + ".csv", drawing.data);
   workshop.write(name + ".gp", drawing.script);
+  for (const Attachment& attachment : drawing.attachments) {
+    workshop.write(name + "-" + attachment.suffix, attachment.bytes);
+  }
   std::vector<std::string> pictures;
   pictures.reserve(formats.size());
   for (const Format format : formats) pictures.push_back(draw(workshop, name, std::string(to_string(format))));

@@ -2,6 +2,7 @@
 
 #include "albedo/reference.hpp"
 #include "analysis/claims/measure.hpp"
+#include "analysis/claims/neumann_pumping.hpp"
 #include "analysis/claims/variants.hpp"
 
 namespace albedo::analysis {
@@ -262,7 +263,7 @@ Finding metallic_phong_preserves_energy(const ModelSource& make) {
 
 std::vector<Claim> neumann_claims() {
   constexpr Paper p = Paper::neumann;
-  return {
+  std::vector<Claim> claims{
       {"N1", p, "eqs. 5, 6", "Phong and Blinn as first published are not reciprocal; without the division they are",
        &first_versions_are_not_reciprocal},
       {"N2", p, "sec. 1.2", "as n goes to infinity the albedo of reciprocal Phong and Blinn follows the cosine",
@@ -280,6 +281,9 @@ std::vector<Claim> neumann_claims() {
       {"N13", p, "sec. 5", "the N.H family either decreases badly or diverges: it isn't suited for metals",
        &half_vector_family},
   };
+  const std::vector<Claim> of_pumping = pumping_claims();
+  claims.insert(claims.begin() + 5, of_pumping.begin(), of_pumping.end());
+  return claims;
 }
 
 }  // namespace albedo::analysis

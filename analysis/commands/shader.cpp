@@ -100,7 +100,11 @@ int run(const Arguments& arguments, const std::string& command_line) {
   provenance["axes"] = describe_axes(document);
   provenance["interpolated"] = "linearly in sqrt(cos_theta)";
   provenance["interpolation_error"] = error;
-  write_table({.name = request.model + "_shader", .axes = document, .values = values.data(), .provenance = provenance},
+  write_table({.name = request.model + "_shader",
+               .quantity = "factor",
+               .axes = document,
+               .values = values.data(),
+               .provenance = provenance},
               arguments.output);
   if (arguments.json) {
     std::cout << json_text({{"functions", names.labels},

@@ -14,7 +14,7 @@ void write_header(const TableDocument& table, std::ostream& out) {
     if (!axis.unit.empty()) out << "# unit of " << comment_text(axis.name) << ": " << comment_text(axis.unit) << '\n';
   }
   for (const Axis& axis : table.axes) out << csv_field(axis.name) << ',';
-  out << (table.errors != nullptr ? "albedo,error\n" : "albedo\n");
+  out << table.quantity << (table.errors != nullptr ? ",error\n" : "\n");
 }
 
 /// The place of the current entry; only the fields that change from one entry to the next are written anew.

@@ -73,7 +73,7 @@ void write_json(const TableDocument& table, const std::string& path) {
   std::ostream& out = file.stream();
   out << '{';
   write_description(table, out);
-  out << ",\n\"albedo\": ";
+  out << ",\n\"" << table.quantity << "\": ";
   write_nested(table, 0, table.values, out);
   if (table.errors != nullptr) {
     out << ",\n\"error\": ";

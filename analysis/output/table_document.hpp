@@ -22,7 +22,8 @@ struct Axis {
 
 /// A table that is not copied: the entries stay where they were computed.
 struct TableDocument {
-  std::string name{};  ///< an identifier, such as "ggx_albedo"
+  std::string name{};               ///< an identifier, such as "ggx_albedo"
+  std::string quantity = "albedo";  ///< what an entry is
   std::vector<Axis> axes{};
   const double* values = nullptr;  ///< C order: the last axis runs fastest; a divergent albedo is +infinity
   const double* errors = nullptr;  ///< in the same order, or null

@@ -84,6 +84,7 @@ class PumpSequence {
   PumpSequence& operator=(const PumpSequence&) = delete;
 
   /// Pumps once more: tabulates the next a_k. The model must still exist.
+  /// @throws ParameterError for an albedo that vanishes at grazing incidence
   void advance();
 
   [[nodiscard]] int orders() const { return divisor().orders(); }  ///< K + 1 after K pumpings

@@ -156,17 +156,18 @@ PumpSequence::PumpSequence(const Model& model, PumpControl control, bool only_up
   check_reciprocal("pumping", model);
   parts_.reset(new Parts{model, tolerance, model.claims().isotropic, {control, only_up}});
   parts_->tabulate();
-  constexpr double black = 1e-12;
-  const double last = albedo(0, std::exp(-CosineTables::last_x));
-  if (last < black) {
-    throw ParameterError("pumping: the albedo of " + model.info().name +
-                         " vanishes at grazing incidence and must stay positive");
-  }
 }
 
 PumpSequence::~PumpSequence() = default;
 
-void PumpSequence::advance() { parts_->tabulate(); }
+void PumpSequence::advance() {
+  constexpr double black = 1e-12;
+  if (albedo(0, std::exp(-CosineTables::last_x)) < black) {  // D takes any power of that, and every error with it
+    throw ParameterError("pumping: the albedo of " + parts_->model.info().name +
+                         " vanishes at grazing incidence and can't be pumped more than once");
+  }
+  parts_->tabulate();
+}
 
 const PumpDivisor& PumpSequence::divisor() const { return parts_->divisor; }
 

@@ -69,6 +69,38 @@ TEST(ClaimNumbers, MetallicPhongWithoutAnExponent) {
   EXPECT_EQ(check("N12", with_other("neumann_phong", "ashikhmin_shirley")).verdict, ClaimVerdict::fails);
 }
 
+TEST(ClaimNumbers, Pumping) {
+  const Finding once = check("N6");
+  EXPECT_EQ(once.verdict, ClaimVerdict::holds_if);
+  EXPECT_EQ(once.condition.find("phong"), std::string::npos) << once.condition;
+  EXPECT_NE(once.condition.find("ward m=0.1"), std::string::npos) << once.condition;
+
+  // 1 - a goes like 1/k at grazing incidence, slower for Blinn
+  const Finding recursive = check("N7");
+  EXPECT_EQ(recursive.verdict, ClaimVerdict::holds);
+  EXPECT_NEAR(value_of(recursive, "100 (1 - a) at 90 degrees, phong"), 0.986, 1e-3);
+  EXPECT_GT(value_of(recursive, "100 (1 - a) at 90 degrees, blinn"), 5);
+
+  const Finding controlled = check("N9");
+  EXPECT_EQ(controlled.verdict, ClaimVerdict::holds_if);
+  EXPECT_NEAR(value_of(controlled, "phong, floor of all divisors"), 1, 1e-6);
+  EXPECT_GT(value_of(controlled, "blinn, floor of every step (eq. 21)"), 10);
+
+  const Finding repeated = check("N10");
+  EXPECT_EQ(repeated.verdict, ClaimVerdict::holds_if);
+  EXPECT_NEAR(value_of(repeated, "average albedo, floor of all divisors, phong"), 0.90685577, 1e-6);
+  EXPECT_EQ(value_of(repeated, "worth up to 85 degrees, phong"), 2);
+  EXPECT_EQ(value_of(repeated, "worth up to 89 degrees, phong"), 3);
+}
+
+// With another model in the place of one that the claim is about, the verdict is another.
+TEST(ClaimNumbers, VerdictsOfPumpingFollowTheModels) {
+  EXPECT_EQ(check("N8").verdict, ClaimVerdict::holds);
+  EXPECT_EQ(check("N8", with_other("blinn", "phong")).verdict, ClaimVerdict::fails);  // no more than Phong's
+  EXPECT_EQ(check("N11").verdict, ClaimVerdict::holds_if);
+  EXPECT_EQ(check("N11", with_other("neumann_phong", "phong")).verdict, ClaimVerdict::fails);
+}
+
 TEST(ClaimNumbers, RoughnessAtWhichEquation9CreatesEnergy) {
   // at grazing incidence half of the integral of D: (1 + sqrt(pi)/2 m exp(1/m^2) erfc(1/m))/2
   const auto excess = [](double m) {
@@ -178,7 +210,7 @@ TEST(AllClaims, AreCompleteAndHaveTheVerdictsOfThePage) {
         << claims[i].id << " is " << to_string(findings[i].verdict)
         << "; doc/claims.md is made by: albedo claims --markdown";
   }
-  EXPECT_EQ(claims.size(), 31U);
+  EXPECT_EQ(claims.size(), 37U);
 
   std::ostringstream out;
   print_claims(out, claims, findings);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "shader/corrections.hpp"
@@ -66,6 +68,19 @@ TEST(ShaderTables, PumpingThenBalanceHasAFunctionForEach) {
   EXPECT_EQ(functions[0].name, "1/a_0");
   EXPECT_EQ(functions[1].name, "1/a_1");
   EXPECT_EQ(functions[2].name, "1/s");
+}
+
+TEST(ShaderTables, TheDocumentHasTheCodeThatIsTested) {
+  const auto text_of = [](const std::string& path) {
+    std::ifstream file(ALBEDO_MATERIALS_DIR "/../../" + path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string document = text_of("doc/shaders.md");
+  for (const char* const name : {"examples/shader/corrections.hpp", "examples/shader/corrections.glsl"}) {
+    const std::string code = text_of(name);
+    EXPECT_GT(code.size(), 500U) << name;
+    EXPECT_NE(document.find(code), std::string::npos) << name;
+  }
 }
 
 TEST(ShaderTables, GrowUntilTheyAreGoodEnough) {

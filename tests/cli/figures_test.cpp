@@ -202,6 +202,43 @@ TEST_F(Figures, OfTheStabilityAtlasShowEveryCell) {
   }
 }
 
+TEST_F(Figures, BringTheirPicturesAlong) {
+  const Outcome outcome = run("ashikhmin-4 --data-only --output out", "PATH=/nowhere");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Names files{"ashikhmin-4-sphere.exr", "ashikhmin-4-sphere.png", "ashikhmin-4.csv", "ashikhmin-4.gp"};
+  ASSERT_EQ(names(), files);
+  const std::string exr = read(directory_ / "out/ashikhmin-4-sphere.exr");
+  EXPECT_TRUE(exr.starts_with("\x76\x2f\x31\x01"));
+  EXPECT_TRUE(contains(exr, "\"command\": \"albedo-figures ashikhmin-4\""));
+  EXPECT_TRUE(contains(read(directory_ / "out/ashikhmin-4-sphere.png"), "\"command\": \"albedo-figures ashikhmin-4\""));
+  ASSERT_EQ(run("ashikhmin-4 --data-only --output again", "OMP_NUM_THREADS=1").exit_code, 0);
+  for (const std::string& file : files) {
+    EXPECT_EQ(read(directory_ / "out" / file), read(directory_ / "again" / file)) << file;
+  }
+}
+
+TEST_F(Figures, WithPicturesAreWrittenWholeOrNotAtAll) {
+  fs::create_directory(directory_ / "out/ashikhmin-4-sphere.png");
+  const Outcome outcome = run("ashikhmin-4 --data-only --output out");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_TRUE(contains(outcome.err, "cannot write 'out/ashikhmin-4-sphere.png'")) << outcome.err;
+  EXPECT_EQ(names(), Names{"ashikhmin-4-sphere.png"});
+}
+
+TEST_F(Figures, PlaceTheirPicturesInEveryFormat) {
+  if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const Outcome outcome = run("ashikhmin-4 --format pdf --format png --format svg --output out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_TRUE(contains(read(directory_ / "out/ashikhmin-4.svg"), "data:image/png;base64,"));
+  EXPECT_TRUE(contains(read(directory_ / "out/ashikhmin-4.pdf"), "/Subtype /Image"));
+  fs::remove(directory_ / "out/ashikhmin-4.svg");
+  const std::string command =
+      "cd '" + (directory_ / "out").string() + "' && gnuplot --default-settings -e \"format='svg'\" ashikhmin-4.gp";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(contains(read(directory_ / "out/ashikhmin-4.svg"), "data:image/png;base64,"));
+}
+
 TEST_F(Figures, CanBeDrawnAgainFromTheirFiles) {
   if (!installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_EQ(run("neumann-1 --format png --output out").exit_code, 0);

@@ -14,8 +14,10 @@ TEST_F(CliTest, ShaderWritesAFunctionForEachStep) {
   EXPECT_EQ(Json::parse(outcome.out)["functions"], Json({"1/a_0", "1/a_1"}));
   const Json table = Json::parse(read_text("phong.json"));
   EXPECT_EQ(table["axes"].size(), 3U);
-  ASSERT_EQ(table["values"].size(), 2U * 3 * 128);
-  EXPECT_NEAR(table["values"][1 * 128 + 127].get<double>(), 1, 1e-7);  // Phong's albedo at normal incidence
+  ASSERT_EQ(table["factor"].size(), 2U);
+  ASSERT_EQ(table["factor"][0].size(), 3U);
+  ASSERT_EQ(table["factor"][0][1].size(), 128U);
+  EXPECT_NEAR(table["factor"][0][1][127].get<double>(), 1, 1e-7);  // Phong's albedo at normal incidence
   for (const char* name : {"t.exr", "t.npy", "t.hpp", "t.csv"}) {
     EXPECT_EQ(run_albedo({"shader", "ggx", "alpha=0.5", "--correct", "balance", "--resolution", "8", "-o", name}).code,
               0);
@@ -43,8 +45,10 @@ TEST_F(CliTest, TablesOfCorrectedModels) {
         {"table", "ggx", "alpha=0.3,0.6", "theta=0,60,89", "--correct", "balance", "--rho", "0.5", "-o", "t.json"});
     return Json::parse(read_text("t.json"));
   }();
-  EXPECT_EQ(of_file["values"].size(), 6U);
-  for (const Json& value : of_file["values"]) EXPECT_NEAR(value.get<double>(), 0.5, 1e-6);
+  ASSERT_EQ(of_file["albedo"].size(), 2U);
+  for (const Json& row : of_file["albedo"]) {
+    for (const Json& value : row) EXPECT_NEAR(value.get<double>(), 0.5, 1e-6);
+  }
   EXPECT_EQ(of_file["provenance"]["corrections"]["correct"], "balance");
 }
 
