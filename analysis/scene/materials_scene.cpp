@@ -19,4 +19,10 @@ Scene read_materials_scene(const std::string& path) {
   return scene;
 }
 
+Scene read_scene(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".json" || ending == ".jsonl") return read_materials_scene(path);
+  throw FormatError("'" + path + "' must end in .json or .jsonl");
+}
+
 }  // namespace albedo::analysis
