@@ -54,8 +54,7 @@ void write_summary(std::ostream& out, const Scene& scene, const Plan& plan) {
   if (rows.size() > most_rows) {
     out << "<p>" << rows.size() - most_rows << " more materials are in plan.json.</p>\n";
   }
-  out << "<p>The errors are those without a correction; one step of the display allowed is "
-      << number(plan.options.tolerance)
+  out << "<p>The errors are those without a correction; what is allowed is " << number(plan.options.tolerance)
       << ". The white lobe is the model's own without colour and Fresnel factor: what "
       << "it loses (-) and makes (+) at most. Pumpings: the order of albedo pumping that does as well in a "
          "furnace.</p>\n";

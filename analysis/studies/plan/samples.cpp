@@ -11,7 +11,7 @@ namespace albedo::analysis {
 AlbedoOptions plan_albedo_options(const Model& model, double tolerance) {
   const auto is_table = [](const Lobe& lobe) { return lobe.shape == LobeShape::half_angles; };
   if (std::ranges::any_of(model.lobes(), is_table)) return {.rule = Rule::cubature, .tolerance = tolerance / 10};
-  return {.tolerance = std::min(1e-7, tolerance / 1000)};
+  return {.tolerance = tolerance / 1000};
 }
 
 std::size_t SampleStore::request(const std::shared_ptr<const Model>& model, double phi, bool needs_peaks) {
@@ -29,8 +29,7 @@ void SampleStore::fill(const CosineGrid& grid, double tolerance, int threads, co
         LobeSamples& samples = samples_[number];
         const AlbedoOptions options = plan_albedo_options(*samples.model, tolerance);
         for (const double cosine : grid.cosines()) {
-          const Estimate a =
-              directional_albedo(*samples.model, Direction::from_cosine(cosine, samples.phi), options);
+          const Estimate a = directional_albedo(*samples.model, Direction::from_cosine(cosine, samples.phi), options);
           samples.albedos.push_back(a.value);
           const double allowed = tolerance / 10 * std::max(a.value, 0.01);
           if (!(a.value > 0) || !std::isfinite(a.value) || !(a.error <= allowed)) samples.is_good = false;

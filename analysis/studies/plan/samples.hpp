@@ -15,7 +15,8 @@
 
 namespace albedo::analysis {
 
-/// How a plan integrates: the gauss rule to 1e-7; tables that aren't smooth by cubature, to a tenth of the tolerance.
+/// How a plan integrates: the gauss rule to a thousandth of the tolerance; tables that aren't smooth by cubature, to a
+/// tenth of the tolerance.
 AlbedoOptions plan_albedo_options(const Model& model, double tolerance);
 
 /// A lobe seen from one azimuth.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "albedo/microfacet/fresnel.hpp"
 #include "analysis/material_table.hpp"
-#include "analysis/output/table_document.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -38,9 +38,8 @@ double number(const Parameters& parameters, Name name, double otherwise) {
 double facet_reflectance(const std::string& model, const Parameters& parameters) {
   if (model == "oren_nayar") return number(parameters, "rho", 1);
   if (find(parameters, "r_s") != nullptr) return number(parameters, "r_s", 1);
-  Fresnel fresnel{.f0 = number(parameters, "f0", 1),
-                  .eta = number(parameters, "eta", 1),
-                  .k = number(parameters, "k", 0)};
+  Fresnel fresnel{
+      .f0 = number(parameters, "f0", 1), .eta = number(parameters, "eta", 1), .k = number(parameters, "k", 0)};
   if (const albedo::ParameterValue* kind = find(parameters, "fresnel")) {
     const auto& name = std::get<std::string>(*kind);
     fresnel.kind = name == "none"      ? FresnelKind::none
@@ -126,7 +125,9 @@ std::string key_of(const Model& model) {
     if (const auto* text = std::get_if<std::string>(&value)) {
       key += *text;
     } else {
-      append_number(key, std::get<double>(value));
+      std::array<char, 32> digits{};  // the fewest that read back as the same number
+      key.append(digits.data(),
+                 std::to_chars(digits.data(), digits.data() + digits.size(), std::get<double>(value)).ptr);
     }
   }
   return key;
