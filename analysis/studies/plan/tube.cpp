@@ -35,36 +35,36 @@ struct Step {
   std::size_t place = 0, level = 0;
 };
 
-/// Breadth first from all values at the first place. The first of them to reach the last place has the fewest nodes.
+/// Breadth first from all nodes that may be the first. The first that may be the last has the fewest before it.
 class Search {
  public:
   Search(const Tube& tube, const CosineGrid& grid, std::vector<std::vector<double>> values)
-      : tube_(tube), grid_(grid), values_(std::move(values)), before_(values_.size()), is_seen_(values_.size()) {
+      : tube_(tube),
+        grid_(grid),
+        values_(std::move(values)),
+        before_(values_.size()),
+        is_seen_(values_.size()),
+        least_beyond_(tube.low),
+        most_beyond_(tube.high) {
     for (std::size_t i = 0; i < values_.size(); ++i) {
       before_[i].resize(values_[i].size());
       is_seen_[i].resize(values_[i].size());
+    }
+    for (std::size_t i = values_.size() - 1; i-- > 0;) {
+      least_beyond_[i] = std::max(least_beyond_[i + 1], tube.low[i]);
+      most_beyond_[i] = std::min(most_beyond_[i + 1], tube.high[i]);
     }
   }
 
   /// The nodes of the shortest path, backwards; empty if there is none.
   std::vector<Step> run() {
-    std::vector<Step> frontier, next;
-    for (std::size_t k = 0; k < values_[0].size(); ++k) {
-      is_seen_[0][k] = true;
-      frontier.push_back({0, k});
-    }
+    std::vector<Step> frontier = starts(), next;
     while (!frontier.empty()) {
+      for (const Step& step : frontier) {
+        if (is_end(step)) return path_to(step);
+      }
       next.clear();
       for (const Step& from : frontier) extend(from, next);
-      const std::size_t last = values_.size() - 1;
-      // of several ends the one in the middle of what is allowed
-      const double middle = (tube_.low[last] + std::min(tube_.high[last], 2 * tube_.low[last] + 1)) / 2;
-      const Step* best = nullptr;
-      for (const Step& step : next) {
-        if (step.place != last) continue;
-        if (best == nullptr || std::abs(value(step) - middle) < std::abs(value(*best) - middle)) best = &step;
-      }
-      if (best != nullptr) return path_to(*best);
       std::swap(frontier, next);
     }
     return {};
@@ -73,6 +73,27 @@ class Search {
   [[nodiscard]] double value(const Step& step) const { return values_[step.place][step.level]; }
 
  private:
+  /// All nodes from which a constant stays within the tube back to the first place. Each comes before itself.
+  std::vector<Step> starts() {
+    std::vector<Step> all;
+    double least = -infinity, most = infinity;
+    for (std::size_t i = 0; i < values_.size() && least <= most; ++i) {
+      least = std::max(least, tube_.low[i]), most = std::min(most, tube_.high[i]);
+      for (std::size_t k = 0; k < values_[i].size(); ++k) {
+        if (values_[i][k] < least || values_[i][k] > most) continue;
+        is_seen_[i][k] = true;
+        before_[i][k] = {i, k};
+        all.push_back({i, k});
+      }
+    }
+    return all;
+  }
+
+  /// Whether a constant stays within the tube from here to the last place.
+  [[nodiscard]] bool is_end(const Step& step) const {
+    return value(step) >= least_beyond_[step.place] && value(step) <= most_beyond_[step.place];
+  }
+
   /// Marks all that a chord from this node reaches within the tube.
   void extend(const Step& from, std::vector<Step>& reached) {
     const double x = grid_.cosine(from.place), y = value(from);
@@ -94,8 +115,11 @@ class Search {
 
   [[nodiscard]] std::vector<Step> path_to(Step step) const {
     std::vector<Step> path{step};
-    while (step.place > 0) path.push_back(step = before_[step.place][step.level]);
-    return path;
+    for (;;) {
+      const Step before = before_[step.place][step.level];
+      if (before.place == step.place) return path;
+      path.push_back(step = before);
+    }
   }
 
   const Tube& tube_;
@@ -103,6 +127,7 @@ class Search {
   std::vector<std::vector<double>> values_;
   std::vector<std::vector<Step>> before_;
   std::vector<std::vector<char>> is_seen_;
+  std::vector<double> least_beyond_, most_beyond_;  // of the tube, from a place on
 };
 
 /// 1, or the least power of two that the tube needs.
@@ -185,7 +210,8 @@ std::optional<PlannedCurve> least_curve(const Tube& tube, const CosineGrid& grid
   const Quantisation held{bits, scale_of(tube)};
   if (const auto constant = tube.constant()) {
     const double value = held.rounded(std::min(*constant, held.scale));
-      if (tube.holds(value)) return PlannedCurve{.places = {grid.size() - 1}, .cosines = {1}, .values = {value}, .quantisation = held};
+    if (tube.holds(value))
+      return PlannedCurve{.places = {grid.size() - 1}, .cosines = {1}, .values = {value}, .quantisation = held};
   }
   Search search(tube, grid, levels_of(tube, held));
   const std::vector<Step> path = search.run();

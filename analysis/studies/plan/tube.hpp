@@ -65,7 +65,8 @@ struct PlannedCurve {
 bool is_within(const PlannedCurve& curve, const Tube& tube, const CosineGrid& grid);
 
 /// The curve with the fewest nodes that is in the tube, its values being held in so many bits: a shortest path over all
-/// (place, value) of nodes, found breadth first, where an edge is a chord within the tube. For 8 and 10 bits every
+/// (place, value) of nodes, found breadth first, where an edge is a chord within the tube; beyond
+/// both ends the curve is constant. For 8 and 10 bits every
 /// value there is is tried, for 16 and 32 `levels` of them at each place. It has no fewer nodes than the tube asks for,
 /// so that without one of them it leaves it.
 /// @returns nothing if no such curve is within
