@@ -104,13 +104,14 @@ TEST_F(CliTest, PlanRefusesWhatItCantRead) {
 }
 
 TEST_F(CliTest, PlanSaysWhatHasNoTable) {
-  write_text("m.json", R"([{"name": "a", "model": "edwards", "parameters": {"n": 0}}, {"name": "b", "model": "ggx"}])");
+  write_text("m.json", R"([{"name": "below", "model": "lafortune", "parameters": {"c_x": 0, "c_y": 0, "c_z": -1}},
+                           {"name": "metal", "model": "ggx", "parameters": {}}])");
   const Outcome outcome = run_albedo({"plan", "m.json", "--json"});
-  EXPECT_TRUE(outcome.code == 0 || outcome.code == 3) << outcome.err;
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
   const Json plan = Json::parse(outcome.out);
-  bool has_unknown = false;
-  for (const Json& material : plan["materials"]) has_unknown |= material["channels"]["all"]["need"] == "unknown";
-  EXPECT_EQ(outcome.code, has_unknown ? 3 : 0);
+  EXPECT_EQ(plan["materials"][0]["channels"]["all"]["need"], "unknown");
+  EXPECT_EQ(plan["materials"][1]["channels"]["all"]["need"], "curve");
 }
 
 /// Opens the page in a browser that measures its figures and reports what goes to its console.

@@ -50,7 +50,8 @@ double peak_radiance(const Model& model, double cos_theta, double phi_degrees) {
   double largest = 0;
   const auto look = [&](double angle) {  // from L's side of the normal to the other
     if (!(std::abs(angle) < 90)) return;
-    const Direction v = Direction::from_degrees(std::abs(angle), angle < 0 ? phi_degrees : phi_degrees + 180);
+    const double side = angle < 0 ? 1 : -1, radians = std::abs(angle) * std::numbers::pi / 180;
+    const Direction v{std::cos(radians), std::sin(radians), side * l.cos_phi, side * l.sin_phi};
     const double seen = std::numbers::pi * brdf<double>(model, l, v) * v.cos_theta;
     if (seen > largest) largest = seen;
   };

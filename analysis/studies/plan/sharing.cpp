@@ -26,9 +26,10 @@ std::string percent(double part) {
 std::string reason_of(const PlanCase& planned) {
   const double loss = 1 - planned.least_white.value, gain = planned.most_white.value - 1;
   std::string text;
-  if (loss > 0) text = "it loses up to " + percent(loss) + " of the light";
-  if (gain > 5e-4) text += (text.empty() ? "it makes up to " : " and makes up to ") + percent(gain);
-  if (text.empty()) text = "it loses no light";
+  constexpr double little = 5e-4;
+  if (loss > little) text = "it loses up to " + percent(loss) + " of the light";
+  if (gain > little) text += (text.empty() ? "it makes up to " : " and makes up to ") + percent(gain);
+  if (text.empty()) text = loss > 1e-9 ? "it loses less than 0.1 % of the light" : "it loses no light";
   return text;
 }
 
