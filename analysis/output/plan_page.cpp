@@ -28,7 +28,6 @@ svg .grid { stroke: #8884; stroke-width: 1; } svg .band { fill: #3987e533; strok
 svg polyline { fill: none; stroke-width: 1.8; } svg .exact { stroke: currentColor; stroke-width: 1.2; }
 svg .fitted { stroke: #3987e5; } svg .limit { stroke: #d03b3b; stroke-dasharray: 5 4; }
 svg .node { fill: #3987e5; stroke: Canvas; stroke-width: 1; }
-.key { display: inline-block; width: 1.6em; height: .2em; vertical-align: middle; margin-right: .4em; }
 )";
 
 std::string number(double value, int digits = 3) { return number_text(value, digits); }
@@ -140,7 +139,7 @@ void write_section(std::ostream& out, const PlanTable& table, const Scene& scene
       << svg(values_chart(table, plan)) << svg(share_chart(table, plan)) << "</div>\n";
   out << "<p>Lobe: <code>" << escaped(table.lobes.front()) << "</code>";
   if (table.lobes.size() > 1) out << " and " << table.lobes.size() - 1 << " more";
-  out << ". Shaded: what all reflectances that use the table allow; black: the first one's E";
+  out << ". Shaded: what all reflectances that use the table allow; thin: the first one's E";
   if (!table.second.empty()) out << ", at " << table.second << " = " << number(table.table.second.front());
   out << "; blue: the table.</p>\n</section>\n";
 }

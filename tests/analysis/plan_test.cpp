@@ -214,6 +214,15 @@ TEST(Plan, RefusesWhatCantBePlanned) {
   EXPECT_TRUE(contains(message_of<FormatError>([&] { plan_scene(unknown); }), "ggx"));
 }
 
+TEST(Plan, TooManyDifferentReflectancesAreRefused) {
+  Scene scene = scene_of({R"({"name": "a", "model": "lambert", "parameters": {}})"});
+  scene.materials.assign(10'001, scene.materials[0]);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    scene.materials[i].material.parameters = {{"rho", static_cast<double>(i) / 20'000}};
+  }
+  EXPECT_TRUE(contains(message_of<FormatError>([&] { plan_scene(scene); }), "10000 different reflectances"));
+}
+
 TEST(Plan, ThreeVariablesAreSaidToBeTooMany) {
   Scene scene = scene_of({R"({"name": "a", "model": "ggx", "parameters": {"alpha_x": 0.1, "alpha_y": 0.4}})"});
   scene.materials[0].intervals.push_back({.parameter = "alpha_x", .low = 0.1, .high = 0.2});
@@ -230,6 +239,8 @@ TEST(Plan, AScenesManyEqualMaterialsAreOneCase) {
   EXPECT_EQ(plan.cases.size(), 1U);
   EXPECT_EQ(plan.of_material.size(), 20'000U);
   EXPECT_TRUE(plan_scene(Scene{}).tables.empty());
+  scene.materials.assign(100'001, one);
+  EXPECT_TRUE(contains(message_of<FormatError>([&] { plan_scene(scene); }), "100001 materials"));
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ TEST_F(CliTest, PlanWritesItsTablesAndItsPage) {
 }
 
 TEST_F(CliTest, PlanTakesNumbersAndFractions) {
-  write_text("mixed.json", mixed);
+  write_text("metal.json", R"([{"name": "metal", "model": "ggx", "parameters": {"alpha": 0.6}}])");
   const auto bytes = [](const std::string& error) {
-    const Outcome outcome = run_albedo({"plan", "mixed.json", "--error", error, "--json", "--pumpings", "0"});
+    const Outcome outcome = run_albedo({"plan", "metal.json", "--error", error, "--json", "--pumpings", "0"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return Json::parse(outcome.out)["bytes"].get<int>();
   };

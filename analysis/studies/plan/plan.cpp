@@ -16,12 +16,16 @@
 namespace albedo::analysis {
 namespace {
 
-constexpr std::size_t most_cases = 10'000;
+constexpr std::size_t most_cases = 10'000, most_materials = 100'000;
 
 bool is_rgb(const SceneMaterial& material) { return channels_of({material.material}).size() == 3; }
 
 /// One case for all that are the same.
 void find_cases(const Scene& scene, Plan& plan) {
+  if (scene.materials.size() > most_materials) {
+    throw FormatError("'" + scene.path + "' has " + std::to_string(scene.materials.size()) +
+                      " materials, and a plan takes at most " + std::to_string(most_materials));
+  }
   const bool has_colours = std::ranges::any_of(scene.materials, is_rgb);
   plan.channels = has_colours ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"all"};
   std::unordered_map<std::string, std::size_t> numbers;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 
 namespace albedo::analysis {
 namespace {
@@ -88,7 +87,7 @@ class Tables {
     std::ranges::stable_sort(known, {}, middle);
     for (Group& group : known) {
       const bool has_joined =
-          std::ranges::any_of(merged_ | std::views::reverse, [&](Group& other) { return join(other, group); });
+          std::any_of(merged_.rbegin(), merged_.rend(), [&](Group& other) { return join(other, group); });
       if (!has_joined) merged_.push_back(std::move(group));
     }
     std::ranges::stable_sort(merged_, {}, [](const Group& group) { return *std::ranges::min_element(group.cases); });
@@ -153,6 +152,10 @@ class Tables {
       planned.need = table.form;
       planned.table = plan_.tables.size();
       planned.needs_azimuth = table.second == "phi";
+      if (look.variation.kind == Variation::Kind::azimuth) {
+        planned.reason +=
+            planned.needs_azimuth ? "; one curve doesn't serve all azimuths" : "; one curve serves all azimuths";
+      }
       const std::string lobe = look.lobe.substr(0, look.lobe.find(';'));
       if (std::ranges::find(table.lobes, lobe) == table.lobes.end()) table.lobes.push_back(lobe);
       for (const Look& one : look.looks) {
