@@ -46,10 +46,10 @@ int run(int argc, const char* const* argv) {
   program.allow_extras();
   program.footer("Every subcommand has its own --help.\nExample:\n  albedo at ward alpha=0.1 --theta 0,60,89.9");
   std::vector<std::string> names;
-  const std::vector<Command> commands{add_models(program),   add_at(program),       add_curve(program),
-                                      add_table(program),    add_audit(program),    add_claims(program),
-                                      add_pump(program),     add_shader(program),   add_divergence(program),
-                                      add_tradeoff(program), add_stability(program)};
+  const std::vector<Command> commands{add_models(program),   add_at(program),        add_curve(program),
+                                      add_table(program),    add_audit(program),     add_claims(program),
+                                      add_pump(program),     add_shader(program),    add_divergence(program),
+                                      add_tradeoff(program), add_stability(program), add_plan(program)};
   for (const Command& command : commands) {
     command.app->allow_extras();  // so that check_understood() words the error
     names.push_back(command.app->get_name());

@@ -34,5 +34,6 @@ Command add_shader(CLI::App& program);
 Command add_divergence(CLI::App& program);
 Command add_tradeoff(CLI::App& program);
 Command add_stability(CLI::App& program);
+Command add_plan(CLI::App& program);
 
 }  // namespace albedo::analysis

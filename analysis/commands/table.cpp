@@ -9,12 +9,14 @@
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
+#include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
 #include "analysis/commands/progress.hpp"
 #include "analysis/commands/provenance.hpp"
 #include "analysis/commands/table_request.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/material_table.hpp"
+#include "analysis/studies/table_growth.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -26,13 +28,14 @@ struct Arguments {
   ComputeOptions options;
   std::string materials, output;
   bool summary = false, errors = false;
+  TableGrowth growth{.max_error = 0};  ///< 0: the table doesn't grow
   std::vector<Assertion> assertions;
 };
 
 /// What an AlbedoTable and a MaterialTable have in common, once filled. The entries stay where they are.
 struct Filled {
   std::vector<Axis> axes;
-  const std::vector<double>& values;
+  std::vector<double> values;
   const std::vector<double>& errors;
   double worst_error, interpolation_error;
   std::size_t unconverged, divergent;
@@ -107,8 +110,47 @@ void check_at(const std::vector<Assertion>& assertions, const std::vector<Axis>&
       "it needs a table that varies nothing but theta or cos_theta, around that direction");
 }
 
+/// What --max-error asks for: axes that have grown. Returns the largest error met between entries as they are held.
+double grow(const Arguments& arguments, std::vector<TableAxis>& axes, const TableEntries& entries) {
+  if (arguments.growth.max_error == 0) return 0;
+  GrownTable table = grown(std::move(axes), entries, arguments.growth);
+  axes = std::move(table.axes);
+  return table.error;
+}
+
+/// What --bits asks for, and --max-error: the entries as they are held, and what is said of them.
+void hold(const Arguments& arguments, Filled& table, double grown_error, Json& provenance) {
+  if (arguments.growth.bits != 0) {
+    QuantisedEntries entries = quantised(std::move(table.values), arguments.growth.bits);
+    table.values = std::move(entries.values);
+    provenance["bits"] = arguments.growth.bits;
+    if (arguments.growth.bits < 32) provenance["scale"] = entries.scale;
+    provenance["quantisation_error"] = entries.error;
+    table.worst_error += entries.error;
+    if (arguments.growth.max_error == 0) table.interpolation_error += entries.error;
+  }
+  if (arguments.growth.max_error == 0) return;
+  provenance["max_error"] = arguments.growth.max_error;
+  keep_larger(table.interpolation_error, grown_error);  // which is met with the entries as they are held
+}
+
+/// Whether --max-error is met; says so if not.
+bool complain_of_growth(const Arguments& arguments, const Filled& table) {
+  const double allowed = arguments.growth.max_error;
+  if (allowed == 0 || (table.interpolation_error <= allowed && table.divergent == 0)) return true;
+  std::cerr << "albedo: --max-error " << number_text(allowed, 3) << " isn't met: ";
+  if (table.divergent > 0) {
+    std::cerr << "an albedo is infinite, and nothing is interpolated towards it\n";
+  } else {
+    std::cerr << "interpolation is off by up to " << number_text(table.interpolation_error, 3) << " with "
+              << table.values.size() << " entries\n";
+  }
+  return false;
+}
+
 /// Writes the table and says what was asked for.
-int conclude(const Arguments& arguments, const Filled& table, Json provenance, double seconds) {
+int conclude(const Arguments& arguments, Filled table, double grown_error, Json provenance, double seconds) {
+  hold(arguments, table, grown_error, provenance);
   provenance["axes"] = describe_axes(table.axes);
   if (arguments.model.corrections.any()) provenance["corrections"] = corrections_json(arguments.model.corrections);
   arguments.options.describe(provenance);
@@ -135,7 +177,9 @@ int conclude(const Arguments& arguments, const Filled& table, Json provenance, d
                      {"output", arguments.output}};
   if (arguments.options.json) std::cout << json_text(summary) << '\n';
   if (arguments.summary) std::cerr << json_text(summary) << '\n';
-  if (arguments.assertions.empty() && table.unconverged == 0) return exit_code::done;
+  const bool is_reached = complain_of_growth(arguments, table);
+  const int unreached = is_reached ? exit_code::done : exit_code::not_converged;
+  if (arguments.assertions.empty() && table.unconverged == 0) return unreached;
 
   const Extent extent = extent_of(table.values);
   const Facts facts{.at = [&](double theta, double) { return interpolated(table.axes.back(), table.values, theta); },
@@ -144,7 +188,15 @@ int conclude(const Arguments& arguments, const Filled& table, Json provenance, d
                     .mean = extent.mean,
                     .error = table.worst_error,
                     .evaluations = static_cast<double>(table.evaluations)};
-  return concluding_exit_code(arguments.assertions, facts, {table.values.size(), table.unconverged});
+  const int code = concluding_exit_code(arguments.assertions, facts, {table.values.size(), table.unconverged});
+  return code == exit_code::done ? unreached : code;
+}
+
+int parse_bits(const std::string& text) {
+  for (const int bits : {8, 10, 16, 32}) {
+    if (text == std::to_string(bits)) return bits;
+  }
+  throw ParameterError("--bits is '" + text + "' and must be one of 8, 10, 16, 32");
 }
 
 /// Everything that can be refused before the work begins.
@@ -169,21 +221,31 @@ int run(const Arguments& arguments, const std::string& command_line) {
   if (corrections.any()) {
     options.correction = [&](std::unique_ptr<Model> model) { return corrections.applied_to(std::move(model)); };
   }
+  TableOptions quiet = options;
+  quiet.keep_errors = false, quiet.verified_cells = 0, quiet.progress = nullptr;
   Json provenance = begin_provenance(command_line);
 
   if (!arguments.materials.empty()) {
-    const MaterialRequest request = parse_material_request(arguments.model);
-    MaterialTable table(read_materials(arguments.materials), arguments.materials);
+    MaterialRequest request = parse_material_request(arguments.model);
+    const std::vector<Material> materials = read_materials(arguments.materials);
+    MaterialTable table(materials, arguments.materials);
     std::vector<Axis> axes = table.label_axes();
     axes.push_back(document_axis(request.directions));
     check_before(arguments, axes, request.phi);
-    table.fill(request.directions, request.phi, options);
+    std::vector<TableAxis> directions{request.directions};
+    const double grown_error = grow(arguments, directions, [&](const std::vector<TableAxis>& over) {
+      MaterialTable trial(materials, arguments.materials);
+      trial.fill(over.front(), request.phi, quiet);
+      return trial.values();
+    });
+    axes.back() = document_axis(directions.front());
+    table.fill(directions.front(), request.phi, options);
     provenance["materials"] = arguments.materials;
     provenance["phi_deg"] = request.phi;
-    return conclude(arguments, Filled(axes, table), std::move(provenance), seconds());
+    return conclude(arguments, Filled(axes, table), grown_error, std::move(provenance), seconds());
   }
 
-  const TableRequest request = parse_table_request(arguments.model);
+  TableRequest request = parse_table_request(arguments.model);
   std::vector<Axis> axes = request.document_axes();
   const bool by_channel = request.channels.size() > 1;
   if (by_channel) axes.insert(axes.begin(), Axis{.name = "channel", .labels = request.channels});
@@ -191,17 +253,30 @@ int run(const Arguments& arguments, const std::string& command_line) {
   provenance["model"] = request.model;
   provenance["parameters"] = parameters_json(request.fixed_parameters());
   for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
+  const auto in_channel = [&](const std::string& channel) {
+    Parameters fixed = request.fixed;
+    if (by_channel) fixed.emplace_back(model_info(request.model).channel()->name, channel);
+    return fixed;
+  };
+  const double grown_error = grow(arguments, request.axes, [&](const std::vector<TableAxis>& over) {
+    std::vector<double> entries;
+    for (const std::string& channel : request.channels) {
+      const AlbedoTable trial(request.model, in_channel(channel), over, quiet);
+      entries.insert(entries.end(), trial.values().begin(), trial.values().end());
+    }
+    return entries;
+  });
+  axes = request.document_axes();
+  if (by_channel) axes.insert(axes.begin(), Axis{.name = "channel", .labels = request.channels});
   if (!by_channel) {
     const AlbedoTable table(request.model, request.fixed, request.axes, options);
-    return conclude(arguments, Filled(axes, table), std::move(provenance), seconds());
+    return conclude(arguments, Filled(axes, table), grown_error, std::move(provenance), seconds());
   }
   StackedTables tables;
   for (const std::string& channel : request.channels) {
-    Parameters fixed = request.fixed;
-    fixed.emplace_back(model_info(request.model).channel()->name, channel);
-    tables.add(AlbedoTable(request.model, fixed, request.axes, options));
+    tables.add(AlbedoTable(request.model, in_channel(channel), request.axes, options));
   }
-  return conclude(arguments, Filled(axes, tables), std::move(provenance), seconds());
+  return conclude(arguments, Filled(axes, tables), grown_error, std::move(provenance), seconds());
 }
 
 }  // namespace
@@ -220,6 +295,12 @@ Command add_table(CLI::App& program) {
       ->required();
   app->add_option("--materials", arguments->materials, R"(instead of MODEL: JSON of {"name", "model", "parameters"})")
       ->type_name("FILE");
+  add_real(*app, "--max-error", arguments->growth.max_error, 1e-7, 1,
+           "halve gaps until linear interpolation between the entries is within this, at verified places");
+  app->add_option_function<std::string>(
+         "--bits", [arguments](const std::string& text) { arguments->growth.bits = parse_bits(text); },
+         "of an entry, whose value is then one that they hold")
+      ->type_name("8|10|16|32");
   app->add_flag("--errors", arguments->errors, "keep the error of every entry too");
   app->add_flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
   add_compute_options(*app, arguments->options);
@@ -229,6 +310,10 @@ Command add_table(CLI::App& program) {
       "at the 32\n"
       "centres (i + 1/2)/32; for materials it is theta at 0,15,30,45,60,75,80,85,88,89 degrees. --json prints the "
       "summary.\n"
+      "--max-error starts from the values given, and the exit code is 3 if 2^20 entries are not enough. --bits: the "
+      "file "
+      "holds\n"
+      "numbers that 8, 10 or 16 bits (multiples of scale/(2^bits - 1), scale 1 or the largest entry) or a float hold.\n"
       "--assert: max, min and mean are those of the entries, error is the largest of a finite entry, evaluations are "
       "those of\n"
       "the whole table; at(THETA) interpolates linearly in a table that varies nothing but theta or cos_theta.\n"

@@ -7,12 +7,12 @@
 namespace albedo::analysis {
 namespace {
 
-/// Our own list of materials, as `albedo table --materials` takes it.
+/// Our own list of materials, each used once, as `albedo table --materials` takes it.
 Scene read_list(const std::string& path) {
   Scene scene{.path = path, .format = "materials"};
   for (Material& material : read_materials(path)) {
     const std::string type = material.model;
-    scene.materials.push_back({.material = std::move(material), .file = path, .type = type});
+    scene.materials.push_back({.material = std::move(material), .file = path, .type = type, .uses = 1});
   }
   scene.declared = scene.materials.size();
   return scene;

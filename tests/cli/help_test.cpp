@@ -8,7 +8,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 TEST_F(CliTest, EveryHelpEndsWithAnExampleThatWorks) {
-  for (const std::string command : {"", "models", "at", "curve", "table", "pump", "tradeoff", "stability"}) {
+  for (const std::string command : {"", "models", "at", "curve", "table", "pump", "tradeoff", "stability", "plan"}) {
     const Outcome outcome = command.empty() ? run_albedo({"--help"}) : run_albedo({command, "--help"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
