@@ -15,9 +15,9 @@ double correction_factor(double white_albedo, double facet_reflectance);
 
 /// What a lobe shows from one direction.
 struct Appearance {
-  double white_albedo = 1;       ///< E
-  double radiance = 1;           ///< s a_F: under light of radiance 1 from everywhere, as in a white furnace
-  double peak = 1;               ///< the largest s π f(L,V) N·V under a point light that makes a white wall facing it 1
+  double white_albedo = 1;  ///< E
+  double radiance = 1;      ///< s a_F: under light of radiance 1 from everywhere, as in a white furnace
+  double peak = 1;          ///< the largest s π f(L,V) N·V under a point light that makes a white wall facing it 1
   double facet_reflectance = 1;  ///< F₀
 };
 

@@ -132,11 +132,12 @@ bool is_within(const PlannedSurface& surface, const SurfaceReference& reference,
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const double x = grid.cosine(i);
       while (right < row && surface.cosines[right] <= x) ++right;
-      const double value = right == 0     ? interpolated.front()
-                           : right == row ? interpolated.back()
-                                          : std::lerp(interpolated[right - 1], interpolated[right],
-                                                      (x - surface.cosines[right - 1]) /
-                                                          (surface.cosines[right] - surface.cosines[right - 1]));
+      const double value =
+          right == 0 ? interpolated.front()
+          : right == row
+              ? interpolated.back()
+              : std::lerp(interpolated[right - 1], interpolated[right],
+                          (x - surface.cosines[right - 1]) / (surface.cosines[right] - surface.cosines[right - 1]));
       const Tube& tube = reference.tubes[s];
       if (!(value >= tube.low[i] - rounding && value <= tube.high[i] + rounding)) return false;
     }

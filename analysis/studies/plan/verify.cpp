@@ -51,8 +51,8 @@ std::vector<Probe> probes_of(const Plan& plan, std::size_t number, const std::ve
   for (const std::size_t one : planned.cases) {
     for (std::size_t k = 0; k < for_each_case; ++k, ++i) {
       // a curve may serve all azimuths or a texture's whole interval: the place is a share of that then
-      probes.push_back({number, one, -1 - spread(7 * i + 3), std::lerp(range[0], range[1], spread(i)),
-                        static_cast<int>(k % 2)});
+      probes.push_back(
+          {number, one, -1 - spread(7 * i + 3), std::lerp(range[0], range[1], spread(i)), static_cast<int>(k % 2)});
     }
   }
   return probes;
