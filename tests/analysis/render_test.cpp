@@ -118,7 +118,7 @@ TEST(Furnace, EveryModelIsItsAlbedo) {
     const FurnaceTest test = test_in_furnace(model.make(), 20, 512, 5);
     EXPECT_GT(test.pixels, 200U) << model.label;
     EXPECT_LT(std::abs(test.mean_difference), 4 * test.mean_error) << model.label;
-    EXPECT_LT(test.mean_error, 2e-3) << model.label;
+    EXPECT_LT(test.mean_error, 3e-3) << model.label;
     EXPECT_NEAR(test.rms_deviation, 1, 0.15) << model.label;
     EXPECT_LT(test.largest_deviation, 6) << model.label;
     EXPECT_EQ(test.unconverged, 0U) << model.label;
