@@ -142,8 +142,13 @@ bool complain_of_growth(const Arguments& arguments, const Filled& table) {
   if (table.divergent > 0) {
     std::cerr << "an albedo is infinite, and nothing is interpolated towards it\n";
   } else {
+    const int bits = arguments.growth.bits;
+    const double rounding = bits == 0 || bits == 32 ? 0 : 0.5 / (std::exp2(bits) - 1);
     std::cerr << "interpolation is off by up to " << number_text(table.interpolation_error, 3) << " with "
-              << table.values.size() << " entries\n";
+              << table.values.size() << " entries"
+              << (rounding > allowed ? ", and " + std::to_string(bits) + " bits alone by " + number_text(rounding, 3)
+                                     : "")
+              << '\n';
   }
   return false;
 }

@@ -172,7 +172,10 @@ TEST_F(CliTest, TableSaysWhenItCantGrowSoFar) {
     return run_albedo(arguments).code;
   };
   EXPECT_EQ(code({"theta=0,60", "--max-error", "0.001", "--bits", "8"}), 3);  // rounding alone is more
-  EXPECT_EQ(code({"theta=0,90", "--max-error", "0.01"}), 3);                  // infinite at 90 degrees
+  EXPECT_NE(run_albedo({"table", "ward", "theta=0,60", "--max-error", "0.001", "--bits", "8", "-o", "t.csv"})
+                .err.find("8 bits alone by 0.00196"),
+            std::string::npos);
+  EXPECT_EQ(code({"theta=0,90", "--max-error", "0.01"}), 3);  // infinite at 90 degrees
   EXPECT_EQ(code({"theta=0,60", "--max-error", "0"}), 2);
   EXPECT_EQ(code({"theta=0,60,30", "--max-error", "0.1"}), 2);
   EXPECT_EQ(code({"theta=0,60", "--bits", "12"}), 2);
