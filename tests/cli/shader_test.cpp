@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -22,6 +23,17 @@ TEST_F(CliTest, ShaderWritesAFunctionForEachStep) {
     EXPECT_EQ(run_albedo({"shader", "ggx", "alpha=0.5", "--correct", "balance", "--resolution", "8", "-o", name}).code,
               0);
   }
+}
+
+TEST_F(CliTest, ShaderCodeIsGlsl) {
+  if (std::system("command -v glslangValidator >/dev/null") != 0) GTEST_SKIP() << "glslangValidator isn't installed";
+  write_text("shader.frag", "#version 330\nout vec4 colour;\nuniform sampler2D functions;\n" +
+                                read_text(ALBEDO_MATERIALS_DIR "/../../examples/shader/corrections.glsl") +
+                                "void main() {\n"
+                                "  colour = vec4(pumping(functions, 3, 0.5, 0.6), balance(functions, 0.1, 0.2),\n"
+                                "                multiscatter(functions, 0.1, 0.2), turquin(functions, 0.3, 1.0));\n"
+                                "}\n");
+  EXPECT_EQ(std::system("glslangValidator shader.frag >log.txt"), 0) << read_text("log.txt");
 }
 
 TEST_F(CliTest, ShaderSaysWhatItCant) {
