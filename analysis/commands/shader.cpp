@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/larger.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
@@ -84,7 +85,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   double error = 0;
   for (std::size_t p = 0; p < places.size(); ++p) {
     const ShaderTable table = tabulate(functions[p], size, arguments.error);
-    error = std::max(error, table.error);
+    keep_larger(error, table.error);
     for (std::size_t f = 0; f < names.size(); ++f) {
       std::copy_n(table.values.begin() + static_cast<std::ptrdiff_t>(f * size), size,
                   values.begin() + static_cast<std::ptrdiff_t>((f * places.size() + p) * size));

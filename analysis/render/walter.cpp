@@ -3,38 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "albedo/microfacet/sampling.hpp"
 #include "albedo/models/ward.hpp"
 #include "albedo/registry.hpp"
+#include "analysis/claims/variants.hpp"
 #include "analysis/render/furnace.hpp"
 
 namespace albedo::render {
 namespace {
 
-/// The f that equal weights stand for: f cosθ_V = ρ_s p(V), p the density of Ward's sampling [Walter 2005, eq. 9].
-struct EqualWeights {
-  double alpha = 0.1;
-
-  static ModelInfo info() {
-    return {.name = "ward_equal_weights",
-            .title = "Ward's sampling with equal weights",
-            .source = "Walter 2005, eq. 9",
-            .deviation = "none"};
-  }
-  static std::vector<Parameter<EqualWeights>> parameters() {
-    return {number<EqualWeights, &EqualWeights::alpha>("alpha", roughness_range, "roughness")};
-  }
-  [[nodiscard]] Claims claims() const { return {.reciprocal = false}; }
-  [[nodiscard]] std::vector<Lobe> lobes() const {
-    Lobe lobe = slope_lobe(0, Profile::gaussian, alpha, alpha);
-    lobe.horizon_exponent = 0;
-    return {lobe};
-  }
-  template <class T>
-  T evaluate(int, const DirectionPair<T>& d) const noexcept {
-    return beckmann_density(d, alpha, alpha) / d.cos_theta_v;
-  }
-};
+using analysis::EqualWeights;  // what Walter's eq. 9 stands for
 
 std::shared_ptr<const Model> ward(double alpha) {
   return make_model("ward", {{"alpha", alpha}, {"rho_s", walter_rho_s}});

@@ -7,6 +7,7 @@
 #include "albedo/combinators/compensated.hpp"
 #include "albedo/combinators/pumped.hpp"
 #include "albedo/combinators/sum.hpp"
+#include "albedo/core/larger.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -70,7 +71,7 @@ ShaderTable tabulate(const std::vector<ShaderFunction>& functions, std::size_t s
       for (std::size_t i = 0; i + 1 < table.size; ++i) {
         const double between = (table.values[begin + i] + table.values[begin + i + 1]) / 2;
         const double exact = value(shader_node(2 * i + 1, 2 * table.size - 1));
-        table.error = std::max(table.error, scale > 0 ? std::abs(between - exact) / scale : 0);
+        keep_larger(table.error, scale == 0 ? std::abs(between - exact) : std::abs(between - exact) / scale);
       }
     }
     if (is_chosen || table.error <= largest_error || table.size >= most) return table;

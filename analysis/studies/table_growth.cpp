@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "albedo/core/errors.hpp"
+#include "albedo/core/larger.hpp"
 #include "analysis/output/table_document.hpp"
 #include "analysis/studies/plan/tube.hpp"
 
@@ -44,7 +45,7 @@ std::vector<double> gap_errors(const std::vector<TableAxis>& axes, std::size_t a
     const std::size_t gap = i / inner % gaps, outer = i / inner / gaps;
     const double* const left = values.data() + (outer * (gaps + 1) + gap) * inner + i % inner;
     const double middle = std::midpoint(left[0], left[inner]);
-    if (std::isfinite(middle)) errors[gap] = std::max(errors[gap], std::abs(middle - exact[i]));
+    if (std::isfinite(middle)) keep_larger(errors[gap], std::abs(middle - exact[i]));
   }
   return errors;
 }
@@ -112,7 +113,7 @@ double interpolation_error(const std::vector<TableAxis>& axes, const std::vector
     const std::vector<double> exact = entries(place);
     for (std::size_t row = 0; row < exact.size(); ++row) {
       const double between = interpolated(axes, values.data() + row * block, left, t);
-      if (std::isfinite(between)) largest = std::max(largest, std::abs(between - exact[row]));
+      if (std::isfinite(between)) keep_larger(largest, std::abs(between - exact[row]));
     }
   }
   return largest;

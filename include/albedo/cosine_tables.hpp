@@ -15,6 +15,9 @@ class CosineTables {
   static constexpr int terms = 11;        ///< of an expansion
   static constexpr double last_x = 138;   ///< cosθ ~ 1e-60; the tables end there, and what is beyond is as there
   using Expansion = std::vector<double>;  ///< count() × terms, of one panel
+  /// Where in [−1, 1] the error of an expansion swings out: ±sin(10 t) = ±1, one on either side.
+  static constexpr std::array test_places{-0.45399049973954675, 0.7071067811865476};
+  static constexpr double unmeasured = 2.1;  ///< what AlbedoCurve allows for swings between such places, too
 
   /// On panels that suit an albedo; split() makes others.
   CosineTables();

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "albedo/core/larger.hpp"
 #include "combinators/check.hpp"
 #include "pumping/kernel_row.hpp"
 
@@ -17,10 +18,8 @@ constexpr std::size_t most_panels = 64;
 constexpr double narrowest_panel = 1e-3;
 constexpr double row_share = 0.2;       // of the tolerance: errors of the kernel
 constexpr double settled_share = 0.05;  // change of ln s that ends the iteration
-constexpr double measured_share = 0.1;  // errors at the places below
-constexpr double unmeasured = 2.1;      // what AlbedoCurve allows for swings between the places
+constexpr double measured_share = 0.1;  // errors at the test places
 constexpr double rounding = 1e-13;
-constexpr std::array places{-0.45399049973954675, 0.7071067811865476};  // where an interpolant's error swings out
 
 /// The kernel's rows and the table that is to balance them.
 class Balancing {
@@ -46,7 +45,7 @@ class Balancing {
       std::array<double, terms> logs;
       for (int i = 0; i < terms; ++i) {
         const double x = node(panel, i), step = 0.5 * excess(x).value;
-        change = std::max(change, std::abs(step));
+        keep_larger(change, std::abs(step));
         logs[static_cast<std::size_t>(i)] = table_.log(0, x) + step;
       }
       append(values, CosineTables::expansion(logs));
@@ -59,23 +58,26 @@ class Balancing {
   /// known.
   bool refine() {
     bool halved = false;
-    double worst = 0;
+    double worst = 0, at_nodes = 0;  // what the iteration has left is at the nodes, too
     row_error_ = 0;
     for (std::size_t panel = 0; panel < table_.panels(); ++panel) {
       const double begin = table_.edges()[panel], end = table_.edges()[panel + 1];
       double off = 0;
-      for (const double t : places) {
+      for (const double t : CosineTables::test_places) {
         const KernelRow::Sum log_excess = excess(CosineTables::place(begin, end, t));
-        off = std::max(off, std::abs(log_excess.value));
-        row_error_ = std::max(row_error_, log_excess.error);
+        keep_larger(off, std::abs(log_excess.value));
+        keep_larger(row_error_, log_excess.error);
       }
-      worst = std::max(worst, off);
+      for (int i = 0; i < terms; ++i) keep_larger(at_nodes, std::abs(excess(node(panel, i)).value));
+      keep_larger(worst, off);
       if (off < measured_share * options_.tolerance || table_.panels() >= most_panels || end - begin < narrowest_panel)
         continue;
       table_.split(panel++, CosineTables::place(begin, end, 0));
       halved = true;
     }
-    bound_ = unmeasured * worst + row_error_ + rounding;
+    worst *= CosineTables::unmeasured;
+    keep_larger(worst, at_nodes);
+    bound_ = worst + row_error_ + rounding;
     return halved;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "albedo/core/larger.hpp"
 #include "albedo/warps/sample.hpp"
 #include "rules/nodes.hpp"
 
@@ -36,7 +37,7 @@ double last_coefficients(const std::array<double, 16>& values) {
   for (const auto& row : rows) {
     double c = 0;
     for (std::size_t i = 0; i < values.size(); ++i) c += row[i] * values[i];
-    largest = std::max(largest, std::abs(c));
+    keep_larger(largest, std::abs(c));
   }
   return largest;
 }

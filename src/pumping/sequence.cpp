@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "albedo/core/larger.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "combinators/check.hpp"
 #include "pumping/kernel_row.hpp"
@@ -17,12 +18,9 @@ constexpr double azimuths_tolerance = 1e-6;  // what the largest over azimuths i
 constexpr double narrowest_panel = 1e-3;
 constexpr double at_an_edge = 1e-6;     // a kink that near one is no kink
 constexpr int azimuths = 12;            // of L, where they matter
-constexpr double measured_share = 0.3;  // of the tolerance: errors at the points below
-constexpr double unmeasured = 2.1;      // what AlbedoCurve allows for swings between the points
+constexpr double measured_share = 0.3;  // of the tolerance: errors at the test places
 constexpr double rounding = 1e-13;
 constexpr double same = 1e-9;  // of ln a: no kink of the diagonal
-// Where the error of a Chebyshev interpolant with 11 points swings out: ±sin(10 t) = ±1, one on either side.
-constexpr std::array<double, 2> tests{-0.45399049973954675, 0.7071067811865476};
 
 /// What all azimuths of L at one polar angle make of a_k.
 struct Brightest {
@@ -60,7 +58,7 @@ struct PumpSequence::Parts {
     for (KernelRow& row : of_x) {
       while (row.order() < order) row.advance(divisor);
       all.value = std::isnan(row.value()) ? row.value() : std::max(all.value, row.value());
-      all.relative_error = std::max(all.relative_error, row.error() / row.value());
+      keep_larger(all.relative_error, row.error() / row.value());
     }
     check_positive_albedo("pumping", model, all.value, std::exp(-x));
     return all;
@@ -76,27 +74,27 @@ struct PumpSequence::Parts {
       for (int i = 0; i < terms; ++i) {
         const Brightest a = brightest(CosineTables::node(begin, end, i), order, false);
         values[static_cast<std::size_t>(i)] = std::log(a.value);
-        row_error = std::max(row_error, a.relative_error);
+        keep_larger(row_error, a.relative_error);
       }
       const auto expansion = CosineTables::expansion(values);
       double error = 0;
-      for (const double t : tests) {
+      for (const double t : CosineTables::test_places) {
         const Brightest a = brightest(CosineTables::place(begin, end, t), order, true);
-        error = std::max(error, std::abs(std::log(a.value) - CosineTables::sum(expansion, t)));
-        row_error = std::max(row_error, a.relative_error);
+        keep_larger(error, std::abs(std::log(a.value) - CosineTables::sum(expansion, t)));
+        keep_larger(row_error, a.relative_error);
       }
       if (error > measured_share * tolerance && divisor.albedos.edges().size() <= panels_allowed() &&
           end - begin > narrowest_panel) {
         divisor.albedos.split(panel, CosineTables::place(begin, end, 0));
         continue;
       }
-      worst = std::max(worst, error);
+      keep_larger(worst, error);
       expansions.insert(expansions.end(), expansion.begin(), expansion.end());
       ++panel;
     }
     divisor.albedos.add(expansions);
-    if (order == 0) row_error = std::max(row_error, disagreement());
-    margins.push_back(unmeasured * worst + row_error + rounding);
+    if (order == 0) keep_larger(row_error, disagreement());
+    margins.push_back(CosineTables::unmeasured * worst + row_error + rounding);
     bounds.push_back(std::expm1(margins.back()));
     divisor.albedos.raise_last(margins.back());
     if (!(bounds.back() <= tolerance)) status = Status::budget_exhausted;
@@ -114,10 +112,10 @@ struct PumpSequence::Parts {
         const Estimate a = directional_albedo(model, Direction::from_degrees(theta, phi), {.tolerance = tolerance});
         evaluations += a.evaluations;
         const double change = std::log(a.value) - divisor.log_albedo(0, x);
-        if (isotropic || change > 0) most = std::max(most, std::abs(change) - a.error / a.value);
+        if (isotropic || !(change <= 0)) keep_larger(most, std::abs(change) - a.error / a.value);
       }
     }
-    return std::max(most, 0.0);
+    return most;
   }
 
   /// Where the light from L itself begins or ends to be held by the floor of control or by 1, all of a_k's integrand

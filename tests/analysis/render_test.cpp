@@ -115,10 +115,10 @@ TEST(Furnace, EveryModelIsItsAlbedo) {
   std::vector<FurnaceModel> models = furnace_models();
   models.insert(models.end(), corrected_furnace_models().begin(), corrected_furnace_models().end());
   for (const FurnaceModel& model : models) {
-    const FurnaceTest test = test_in_furnace(model.make(), 20, 512, 5);
+    const FurnaceTest test = test_in_furnace(model.make(), 20, 640, 5);
     EXPECT_GT(test.pixels, 200U) << model.label;
     EXPECT_LT(std::abs(test.mean_difference), 4 * test.mean_error) << model.label;
-    EXPECT_LT(test.mean_error, 3e-3) << model.label;
+    EXPECT_LT(test.mean_error, 2e-3) << model.label;
     EXPECT_NEAR(test.rms_deviation, 1, 0.15) << model.label;
     EXPECT_LT(test.largest_deviation, 6) << model.label;
     EXPECT_EQ(test.unconverged, 0U) << model.label;

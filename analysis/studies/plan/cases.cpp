@@ -113,7 +113,7 @@ void CaseLooks::describe(Plan& plan) const {
       const double theta =
           std::lerp(plan.options.least_theta, plan.options.largest_theta, static_cast<double>(i) / (angles - 1));
       const double a = directional_albedo(whole, Direction::from_degrees(theta), options).value;
-      if (!(a <= planned.largest.value)) planned.largest = {a, theta};
+      if (!std::isnan(planned.largest.value) && !(a <= planned.largest.value)) planned.largest = {a, theta};
     }
     planned.need = look.need;
     planned.reason = look.reason;
