@@ -32,14 +32,19 @@ void check_answerable(const std::vector<Assertion>& assertions,
 }
 
 Extent extent_of(const std::vector<double>& values) {
+  return extent_of(values.size(), [&](std::size_t i) { return values[i]; });
+}
+
+Extent extent_of(std::size_t size, const std::function<double(std::size_t)>& value_at) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Extent extent{.max = -infinity, .min = infinity, .mean = 0};
-  for (const double value : values) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const double value = value_at(i);
     extent.max = std::max(extent.max, value);
     extent.min = std::min(extent.min, value);
     extent.mean += value;
   }
-  extent.mean /= static_cast<double>(values.size());
+  extent.mean /= static_cast<double>(size);
   if (std::isnan(extent.mean)) extent.max = extent.min = extent.mean;  // the comparisons above pass over NaN
   return extent;
 }

@@ -25,6 +25,9 @@ struct Extent {
 };
 Extent extent_of(const std::vector<double>& values);
 
+/// The same for values that are elsewhere.
+Extent extent_of(std::size_t size, const std::function<double(std::size_t)>& value);
+
 /// How many results there are, and how many of them missed the tolerance.
 struct Convergence {
   std::size_t results = 0;

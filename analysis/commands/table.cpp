@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -17,6 +18,7 @@
 #include "analysis/commands/text.hpp"
 #include "analysis/material_table.hpp"
 #include "analysis/studies/table_growth.hpp"
+#include "analysis/tiles/tiled_table.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -27,31 +29,39 @@ struct Arguments {
   ModelArguments model;
   ComputeOptions options;
   std::string materials, output;
-  bool summary = false, errors = false;
+  bool summary = false, errors = false, resume = false;
   TableGrowth growth{.max_error = 0};  ///< 0: the table doesn't grow
   std::vector<Assertion> assertions;
 };
 
-/// What an AlbedoTable and a MaterialTable have in common, once filled. The entries stay where they are.
-struct Filled {
+/// What is known of a table, wherever its entries are.
+struct Known {
   std::vector<Axis> axes;
-  std::vector<double> values;
-  const std::vector<double>& errors;
+  std::size_t entries;
   double worst_error, interpolation_error;
   std::size_t unconverged, divergent;
   std::int64_t evaluations;
+};
+
+/// What an AlbedoTable and a MaterialTable have in common, once filled. The entries stay where they are.
+struct Filled : Known {
+  std::vector<double> values;
+  const std::vector<double>& errors;
 
   template <class Table>
   Filled(std::vector<Axis> of_document, const Table& table)
-      : axes(std::move(of_document)),
+      : Known{.axes = std::move(of_document),
+              .entries = table.values().size(),
+              .worst_error = table.worst_error(),
+              .interpolation_error = table.interpolation_error(),
+              .unconverged = table.unconverged(),
+              .divergent = table.divergent(),
+              .evaluations = table.evaluations()},
         values(table.values()),
-        errors(table.errors()),
-        worst_error(table.worst_error()),
-        interpolation_error(table.interpolation_error()),
-        unconverged(table.unconverged()),
-        divergent(table.divergent()),
-        evaluations(table.evaluations()) {}
+        errors(table.errors()) {}
 };
+
+using EntryAt = std::function<double(std::size_t entry)>;
 
 /// Tables of the same axes, one after the other.
 class StackedTables {
@@ -83,12 +93,12 @@ class StackedTables {
 
 /// The table at one direction, linearly interpolated along its only axis. The axis is `theta` or `cos_theta`, in any
 /// order.
-double interpolated(const Axis& axis, const std::vector<double>& values, double theta) {
+double interpolated(const Axis& axis, const EntryAt& value, double theta) {
   const double place = axis.name == "theta" ? theta : Direction::from_degrees(theta).cos_theta;
   for (std::size_t i = 0; i < axis.size(); ++i) {
-    if (axis.values[i] == place) return values[i];
+    if (axis.values[i] == place) return value(i);
     if (i + 1 == axis.size() || (axis.values[i] < place) == (axis.values[i + 1] < place)) continue;
-    return std::lerp(values[i], values[i + 1], (place - axis.values[i]) / (axis.values[i + 1] - axis.values[i]));
+    return std::lerp(value(i), value(i + 1), (place - axis.values[i]) / (axis.values[i + 1] - axis.values[i]));
   }
   return NAN;  // unreachable after check_at()
 }
@@ -135,7 +145,7 @@ void hold(const Arguments& arguments, Filled& table, double grown_error, Json& p
 }
 
 /// Whether --max-error is met; says so if not.
-bool complain_of_growth(const Arguments& arguments, const Filled& table) {
+bool complain_of_growth(const Arguments& arguments, const Known& table) {
   const double allowed = arguments.growth.max_error;
   if (allowed == 0 || (table.interpolation_error <= allowed && table.divergent == 0)) return true;
   std::cerr << "albedo: --max-error " << number_text(allowed, 3) << " isn't met: ";
@@ -145,7 +155,7 @@ bool complain_of_growth(const Arguments& arguments, const Filled& table) {
     const int bits = arguments.growth.bits;
     const double rounding = bits == 0 || bits == 32 ? 0 : 0.5 / (std::exp2(bits) - 1);
     std::cerr << "interpolation is off by up to " << number_text(table.interpolation_error, 3) << " with "
-              << table.values.size() << " entries"
+              << table.entries << " entries"
               << (rounding > allowed ? ", and " + std::to_string(bits) + " bits alone by " + number_text(rounding, 3)
                                      : "")
               << '\n';
@@ -153,9 +163,8 @@ bool complain_of_growth(const Arguments& arguments, const Filled& table) {
   return false;
 }
 
-/// Writes the table and says what was asked for.
-int conclude(const Arguments& arguments, Filled table, double grown_error, Json provenance, double seconds) {
-  hold(arguments, table, grown_error, provenance);
+/// How the entries were computed, and what is known of them.
+void complete(Json& provenance, const Arguments& arguments, const Known& table) {
   provenance["axes"] = describe_axes(table.axes);
   if (arguments.model.corrections.any()) provenance["corrections"] = corrections_json(arguments.model.corrections);
   arguments.options.describe(provenance);
@@ -164,15 +173,11 @@ int conclude(const Arguments& arguments, Filled table, double grown_error, Json 
   provenance["unconverged"] = table.unconverged;
   provenance["divergent"] = table.divergent;
   provenance["evaluations"] = table.evaluations;
-  const std::string name = provenance.value("model", "materials") + "_albedo";
-  write_table({.name = name,
-               .axes = table.axes,
-               .values = table.values.data(),
-               .errors = table.errors.empty() ? nullptr : table.errors.data(),
-               .provenance = provenance},
-              arguments.output);
+}
 
-  const Json summary{{"entries", table.values.size()},
+/// Says what was asked for of a table that is written.
+int report(const Arguments& arguments, const Known& table, const EntryAt& value, double seconds) {
+  const Json summary{{"entries", table.entries},
                      {"worst_error", table.worst_error},
                      {"interpolation_error", table.interpolation_error},
                      {"unconverged", table.unconverged},
@@ -186,15 +191,82 @@ int conclude(const Arguments& arguments, Filled table, double grown_error, Json 
   const int unreached = is_reached ? exit_code::done : exit_code::not_converged;
   if (arguments.assertions.empty() && table.unconverged == 0) return unreached;
 
-  const Extent extent = extent_of(table.values);
-  const Facts facts{.at = [&](double theta, double) { return interpolated(table.axes.back(), table.values, theta); },
+  const Extent extent = extent_of(table.entries, value);
+  const Facts facts{.at = [&](double theta, double) { return interpolated(table.axes.back(), value, theta); },
                     .max = extent.max,
                     .min = extent.min,
                     .mean = extent.mean,
                     .error = table.worst_error,
                     .evaluations = static_cast<double>(table.evaluations)};
-  const int code = concluding_exit_code(arguments.assertions, facts, {table.values.size(), table.unconverged});
+  const int code = concluding_exit_code(arguments.assertions, facts, {table.entries, table.unconverged});
   return code == exit_code::done ? unreached : code;
+}
+
+/// Writes the table and says what was asked for.
+int conclude(const Arguments& arguments, Filled table, double grown_error, Json provenance, double seconds) {
+  hold(arguments, table, grown_error, provenance);
+  complete(provenance, arguments, table);
+  const std::string name = provenance.value("model", "materials") + "_albedo";
+  write_table({.name = name,
+               .axes = table.axes,
+               .values = table.values.data(),
+               .errors = table.errors.empty() ? nullptr : table.errors.data(),
+               .provenance = provenance},
+              arguments.output);
+  return report(
+      arguments, table, [&](std::size_t i) { return table.values[i]; }, seconds);
+}
+
+/// Whether the entries go to their places in a file instead of memory.
+bool is_tiled(const Arguments& arguments, bool by_channel) {
+  const bool is_plain = arguments.materials.empty() && !arguments.errors && !by_channel &&
+                        arguments.growth.max_error == 0 && arguments.growth.bits == 0;
+  const bool result = is_plain && can_be_tiled(arguments.output);
+  if (arguments.resume && !result) {
+    throw ParameterError(
+        "--resume continues a .npy file of one model and channel, without --errors, --max-error, --bits and "
+        "--materials");
+  }
+  return result;
+}
+
+/// Computes and writes the table tile by tile, and says what was asked for.
+int run_tiled(const Arguments& arguments, const TableRequest& request, const TableOptions& options, Json provenance,
+              const std::function<double()>& seconds) {
+  const TableSource source(request.model, request.fixed, request.axes, options);
+  Json computation = provenance;
+  computation.erase("command");
+  computation["compiler"] = __VERSION__;
+  if (arguments.model.corrections.any()) computation["corrections"] = corrections_json(arguments.model.corrections);
+  arguments.options.describe(computation);
+  computation["budget"] = arguments.options.budget;
+  if (const Json files = checksums_of_files(model_info(request.model), request.fixed); !files.empty()) {
+    computation["files"] = files;
+  }
+  TiledTable table(source, request.document_axes(), arguments.output,
+                   {.command = provenance["command"].get<std::string>(),
+                    .computation = std::move(computation),
+                    .resume = arguments.resume,
+                    .progress = options.progress});
+  LocalClaims claims(table.tiles());
+  table.fill(claims);
+  if (table.damaged() > 0) {
+    std::cerr << "albedo: " << table.damaged() << " finished tiles had a wrong checksum and were computed again\n";
+  }
+  const EntryAt value = [&](std::size_t entry) { return table.value(entry); };
+  const TableSource::Interpolation interpolation = source.interpolation(value);
+  const TableTally& tally = table.tally();
+  const Known known{.axes = request.document_axes(),
+                    .entries = source.size(),
+                    .worst_error = std::max(tally.worst_error, 0.0),
+                    .interpolation_error = interpolation.error,
+                    .unconverged = tally.unconverged,
+                    .divergent = tally.divergent,
+                    .evaluations = tally.evaluations + interpolation.evaluations};
+  provenance["command"] = table.command();
+  complete(provenance, arguments, known);
+  table.commit({.axes = known.axes, .provenance = provenance});
+  return report(arguments, known, value, seconds());
 }
 
 int parse_bits(const std::string& text) {
@@ -231,6 +303,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   Json provenance = begin_provenance(command_line);
 
   if (!arguments.materials.empty()) {
+    is_tiled(arguments, false);
     MaterialRequest request = parse_material_request(arguments.model);
     const std::vector<Material> materials = read_materials(arguments.materials);
     MaterialTable table(materials, arguments.materials);
@@ -258,6 +331,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   provenance["model"] = request.model;
   provenance["parameters"] = parameters_json(request.fixed_parameters());
   for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
+  if (is_tiled(arguments, by_channel)) return run_tiled(arguments, request, options, std::move(provenance), seconds);
   const auto in_channel = [&](const std::string& channel) {
     Parameters fixed = request.fixed;
     if (by_channel) fixed.emplace_back(model_info(request.model).channel()->name, channel);
@@ -308,6 +382,7 @@ Command add_table(CLI::App& program) {
       ->type_name("8|10|16|32");
   app->add_flag("--errors", arguments->errors, "keep the error of every entry too");
   app->add_flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
+  app->add_flag("--resume", arguments->resume, "continue an unfinished .npy of the same command, if there is one");
   add_compute_options(*app, arguments->options);
   add_assert_option(*app, arguments->assertions);
   app->footer(
@@ -319,6 +394,8 @@ Command add_table(CLI::App& program) {
       "file "
       "holds\n"
       "numbers that 8, 10 or 16 bits (multiples of scale/(2^bits - 1), scale 1 or the largest entry) or a float hold.\n"
+      "A .npy of one model is written in place: until it is whole it is FILE.part, with FILE.journal of what is "
+      "finished.\n"
       "--assert: max, min and mean are those of the entries, error is the largest of a finite entry, evaluations are "
       "those of\n"
       "the whole table; at(THETA) interpolates linearly in a table that varies nothing but theta or cos_theta.\n"

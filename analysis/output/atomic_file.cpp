@@ -197,4 +197,6 @@ void AtomicFile::check(const std::string& path) {
   const AtomicFile probe(path);
 }
 
+std::string AtomicFile::target_of(const std::string& path) { return follow_links(path); }
+
 }  // namespace albedo::analysis

@@ -43,6 +43,9 @@ class AtomicFile {
   /// Throws the WriteError that a file of this name would meet now: to be called before a long computation.
   static void check(const std::string& path);
 
+  /// The path that is renamed to: symbolic links are followed.
+  static std::string target_of(const std::string& path);
+
  private:
   class Buffer;
 

@@ -12,6 +12,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the entries are written as they are in memory, as '<f8'");
 
+}  // namespace
+
 /// The header of https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html, version 1.0: magic, version,
 /// the dictionary's length in two bytes, the dictionary, and spaces up to a multiple of 64 bytes.
 std::string npy_header(const std::vector<Axis>& axes) {
@@ -29,8 +31,6 @@ std::string npy_header(const std::vector<Axis>& axes) {
   header += static_cast<char>(dictionary.size() / 256);
   return header + dictionary;
 }
-
-}  // namespace
 
 std::string sidecar_path(const std::string& path) {
   return std::filesystem::path(path).replace_extension(".json").string();

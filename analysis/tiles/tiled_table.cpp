@@ -1,0 +1,251 @@
+#include "analysis/tiles/tiled_table.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "albedo/core/errors.hpp"
+#include "analysis/output/atomic_file.hpp"
+#include "analysis/output/json_writer.hpp"
+#include "analysis/output/npy_writer.hpp"
+
+namespace albedo::analysis {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// An entry that no file may hold: the table can't be finished.
+struct ImpossibleEntry : WriteError {
+  using WriteError::WriteError;
+};
+
+/// Large enough for the disk, small enough to lose, and a thousand of them.
+std::size_t suitable_tile(std::size_t entries) {
+  return std::clamp<std::size_t>(std::bit_floor(entries / 1024), 32, 16384);
+}
+
+Json describe(const std::vector<TableAxis>& axes) {
+  Json result = Json::object();
+  for (const TableAxis& axis : axes) {
+    result[axis.name] = {{"from", axis.values.front()},
+                         {"to", axis.values.back()},
+                         {"count", axis.values.size()},
+                         {"checksum", checksum(std::as_bytes(std::span(axis.values)))}};
+  }
+  return result;
+}
+
+}  // namespace
+
+TiledTable::TiledTable(const TableSource& source, std::vector<Axis> axes, const std::string& path,
+                       TilingOptions options)
+    : source_(source),
+      axes_(std::move(axes)),
+      path_(path),
+      target_(AtomicFile::target_of(path)),
+      part_path_(target_ + ".part"),
+      journal_path_(target_ + ".journal"),
+      options_(std::move(options)),
+      tile_(options_.tile > 0 ? options_.tile : suitable_tile(source.size())),
+      header_(npy_header(axes_)) {
+  Json computation = options_.computation;
+  computation["axes"] = describe(source.axes());
+  computation["tile"] = tile_;
+  const JournalHead head{options_.command, std::move(computation), tiles()};
+  if (!is_continued(head)) begin(head);
+}
+
+TiledTable::~TiledTable() = default;
+
+/// Opens the unfinished table, if there is one in which any tile is finished.
+bool TiledTable::is_continued(const JournalHead& head) {
+  if (!fs::exists(journal_path_)) {
+    if (!fs::exists(part_path_)) return false;
+    throw cannot_write(path_, "'" + part_path_ + "' is in the way: it has no journal; remove it");
+  }
+  journal_ = std::make_unique<TileJournal>(journal_path_);
+  const std::size_t finished = fs::exists(part_path_) ? journal_->count() : 0;
+  if (finished == 0) return false;
+  if (!options_.resume) {
+    throw cannot_write(path_, "'" + part_path_ + "' has " + std::to_string(finished) + " of " +
+                                  std::to_string(journal_->head().tiles) +
+                                  " tiles of an unfinished table; continue with --resume, or remove it and '" +
+                                  journal_path_ + "'");
+  }
+  const std::string differs = difference(journal_->head().computation, head.computation);
+  if (!differs.empty()) throw ParameterError("--resume: '" + part_path_ + "' is of another table: " + differs);
+  part_ = std::make_unique<PlacedFile>(part_path_, PlacedFile::Mode::reuse);
+  const std::uint64_t size = header_.size() + source_.size() * sizeof(double);
+  if (part_->size() != size) {
+    throw cannot_write(part_path_, "it is truncated or foreign: it has " + std::to_string(part_->size()) +
+                                       " bytes, not " + std::to_string(size));
+  }
+  std::string header(header_.size(), '\0');
+  part_->read(0, std::as_writable_bytes(std::span(header)));
+  if (header != header_) throw cannot_write(part_path_, "it is damaged: its header is not that of the table");
+  return true;
+}
+
+/// The journal first: a .part without one is never ours.
+void TiledTable::begin(const JournalHead& head) {
+  TileJournal::create(journal_path_, head);
+  journal_ = std::make_unique<TileJournal>(journal_path_);
+  try {
+    part_ = std::make_unique<PlacedFile>(part_path_, PlacedFile::Mode::create);
+    part_->reserve(header_.size() + source_.size() * sizeof(double));
+    part_->write(0, std::as_bytes(std::span(header_)));
+    part_->synchronise();
+    synchronise_directory_of(part_path_);
+  } catch (...) {
+    discard();
+    throw;
+  }
+}
+
+void TiledTable::discard() {
+  std::error_code ignored;
+  fs::remove(part_path_, ignored);
+  fs::remove(journal_path_, ignored);
+}
+
+/// What one thread fills tiles with.
+class TiledTable::Filling {
+ public:
+  explicit Filling(TiledTable& table) : table_(table), worker_(table.source_) {}
+
+  /// Returns the number of entries.
+  std::size_t fill(std::size_t tile) {
+    const std::size_t first = tile * table_.tile_;
+    values_.resize(std::min(table_.tile_, table_.source_.size() - first));
+    const std::uint64_t place = table_.header_.size() + first * sizeof(double);
+    if (const auto record = table_.journal_->find(tile)) {
+      table_.part_->read(place, std::as_writable_bytes(std::span(values_)));
+      if (checksum(std::as_bytes(std::span(values_))) == record->checksum) {
+        tally_.merge(record->tally);
+        ++verified_;
+        return values_.size();
+      }
+      ++damaged_;
+    }
+    const TableTally tally = worker_.fill(first, values_);
+    check(first);
+    const auto bytes = std::as_bytes(std::span(std::as_const(values_)));
+    table_.part_->write(place, bytes);
+    table_.part_->synchronise();
+    table_.journal_->record(tile, {.checksum = checksum(bytes), .tally = tally});
+    tally_.merge(tally);
+    return values_.size();
+  }
+
+  void merge_into_table() const {
+    table_.tally_.merge(tally_);
+    table_.verified_ += verified_;
+    table_.damaged_ += damaged_;
+  }
+
+ private:
+  void check(std::size_t first) const {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (std::isfinite(values_[i]) || values_[i] == std::numeric_limits<double>::infinity()) continue;
+      std::string text = "the entry at " + describe_entry({.axes = table_.axes_}, first + i) + " is ";
+      append_number(text, values_[i]);
+      throw ImpossibleEntry(cannot_write(table_.path_, text).what());
+    }
+  }
+
+  TiledTable& table_;
+  TableSource::Worker worker_;
+  std::vector<double> values_;
+  TableTally tally_{};
+  std::size_t verified_ = 0, damaged_ = 0;
+};
+
+void TiledTable::fill(TileClaims& claims) {
+  std::exception_ptr thrown;
+  std::atomic<bool> failed = false;
+  std::atomic<std::size_t> done = 0;
+#pragma omp parallel num_threads(source_.threads())
+  {
+    Filling filling(*this);
+    try {
+      while (!failed) {
+        const std::optional<std::size_t> tile = claims.next();
+        if (!tile) break;
+        const std::size_t now = done += filling.fill(*tile);
+        if (options_.progress && omp_get_thread_num() == 0) options_.progress(now, source_.size());
+      }
+    } catch (...) {
+#pragma omp critical(albedo_tiles)
+      if (!failed.exchange(true)) thrown = std::current_exception();
+    }
+#pragma omp critical(albedo_tiles)
+    filling.merge_into_table();
+  }
+  if (!thrown) return;
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const ImpossibleEntry&) {
+    discard();
+    throw;
+  } catch (const ParameterError&) {
+    discard();
+    throw;
+  }
+}
+
+double TiledTable::value(std::size_t entry) const {
+  double result = 0;
+  part_->read(header_.size() + entry * sizeof(double), std::as_writable_bytes(std::span(&result, 1)));
+  return result;
+}
+
+void TiledTable::commit(const TableDocument& description) {
+  AtomicFile sidecar(sidecar_path(path_));
+  write_json_description(description, sidecar.stream());
+  sidecar.finish();
+  std::error_code failure;
+  if (const auto before = fs::status(target_, failure); fs::is_regular_file(before)) {
+    fs::permissions(part_path_, before.permissions(), failure);
+  }
+  sidecar.commit();
+  fs::rename(part_path_, target_, failure);
+  if (failure) throw cannot_write(path_, failure.message());
+  synchronise_directory_of(target_);
+  fs::remove(journal_path_, failure);
+}
+
+bool can_be_tiled(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code ignored;
+  const fs::file_type type = fs::status(path, ignored).type();
+  return ending == ".npy" && (type == fs::file_type::not_found || type == fs::file_type::regular);
+}
+
+Json checksums_of_files(const ModelInfo& model, const Parameters& parameters) {
+  Json result = Json::object();
+  for (const auto& [name, value] : parameters) {
+    const ParameterInfo* const info = model.find(name);
+    if (info == nullptr || !info->is_text) continue;
+    const auto& path = std::get<std::string>(value);
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    result[path] = checksum(std::as_bytes(std::span(bytes)));
+  }
+  return result;
+}
+
+}  // namespace albedo::analysis

@@ -1,0 +1,91 @@
+/// @file
+/// A table that nobody holds: computed in tiles, each written to its place in the file it will be.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "albedo/table_source.hpp"
+#include "analysis/output/placed_file.hpp"
+#include "analysis/output/table_document.hpp"
+#include "analysis/tiles/tile_claims.hpp"
+#include "analysis/tiles/tile_journal.hpp"
+
+namespace albedo::analysis {
+
+struct TilingOptions {
+  std::string command{};                 ///< for the journal
+  nlohmann::ordered_json computation{};  ///< all that the entries depend on but the axes, for the journal
+  bool resume = false;                   ///< continue an unfinished table, if there is one
+  std::size_t tile = 0;                  ///< entries of a tile; 0: as many as suit the table
+  std::function<void(std::size_t done, std::size_t total)> progress{};  ///< called from the thread that calls fill()
+};
+
+/// A .npy file PATH on its way: PATH.part, in the layout of the finished file, and PATH.journal, a TileJournal. Memory
+/// doesn't grow with the table. The file gets its name, and the journal goes, in commit(); whatever ends the
+/// process before leaves both for another one to continue with. The same bits as write_npy() of an AlbedoTable, for any
+/// number of threads, interrupted or not.
+class TiledTable {
+ public:
+  /// Begins a table, or continues an unfinished one.
+  /// @param axes of the file: those of the source that aren't fixed directions
+  /// @throws ParameterError if the unfinished table is of another computation; says what differs
+  /// @throws WriteError for an unfinished table that isn't to be continued, is truncated, isn't one, or is being
+  /// written by another process; a disk without room for the whole table
+  TiledTable(const TableSource& source, std::vector<Axis> axes, const std::string& path, TilingOptions options);
+  ~TiledTable();
+  TiledTable(const TiledTable&) = delete;
+  TiledTable& operator=(const TiledTable&) = delete;
+
+  /// The number of tiles, to be claimed.
+  [[nodiscard]] std::size_t tiles() const { return (source_.size() - 1) / tile_ + 1; }
+
+  /// Computes the tiles that are claimed, with the source's threads; what is finished is verified instead by its
+  /// checksum, and computed again if that is wrong.
+  /// @throws WriteError also for an entry that is neither a number nor +infinity; then nothing is left
+  void fill(TileClaims& claims);
+
+  /// Any entry of a tile that is written.
+  [[nodiscard]] double value(std::size_t entry) const;
+
+  /// Of the tiles that fill() has computed or verified.
+  [[nodiscard]] const TableTally& tally() const { return tally_; }
+
+  [[nodiscard]] std::size_t verified() const { return verified_; }  ///< tiles that were finished before
+  [[nodiscard]] std::size_t damaged() const { return damaged_; }    ///< tiles whose checksum was wrong
+
+  /// The command line that began the table.
+  [[nodiscard]] const std::string& command() const { return journal_->head().command; }
+
+  /// Gives the file its name, and writes axes and provenance to its sidecar_path().
+  void commit(const TableDocument& description);
+
+ private:
+  class Filling;
+
+  [[nodiscard]] bool is_continued(const JournalHead& head);
+  void begin(const JournalHead& head);
+  void discard();
+
+  const TableSource& source_;
+  std::vector<Axis> axes_;
+  std::string path_, target_, part_path_, journal_path_;
+  TilingOptions options_;
+  std::size_t tile_;
+  std::string header_;
+  std::unique_ptr<TileJournal> journal_;
+  std::unique_ptr<PlacedFile> part_;
+  TableTally tally_;
+  std::size_t verified_ = 0, damaged_ = 0;
+};
+
+/// Whether a path is that of a .npy which is or will be a regular file.
+[[nodiscard]] bool can_be_tiled(const std::string& path);
+
+/// The checksums of files that a model's parameters name: {"file": 123}; other files are other tables.
+[[nodiscard]] nlohmann::ordered_json checksums_of_files(const ModelInfo& model, const Parameters& parameters);
+
+}  // namespace albedo::analysis
