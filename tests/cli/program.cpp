@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace albedo::test {
 namespace {
@@ -31,10 +32,8 @@ class TemporaryFile {
   std::string path_;
 };
 
-}  // namespace
-
-Outcome run_albedo(const std::vector<std::string>& arguments, const std::string& out) {
-  const TemporaryFile captured_out, captured_err;
+/// Starts the program with its output going to two files.
+pid_t start(const std::vector<std::string>& arguments, const std::string& out, const std::string& err) {
   std::vector<std::string> words{"albedo"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -44,19 +43,39 @@ Outcome run_albedo(const std::vector<std::string>& arguments, const std::string&
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  const std::string& target = out.empty() ? captured_out.path() : out;
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, target.c_str(), O_WRONLY | O_TRUNC, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, captured_err.path().c_str(), O_WRONLY | O_TRUNC, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_TRUNC, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_TRUNC, 0);
   pid_t child = 0;
   const int failure = ::posix_spawn(&child, ALBEDO_PROGRAM, &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) throw std::runtime_error("cannot start " ALBEDO_PROGRAM);
+  return child;
+}
 
+}  // namespace
+
+Outcome run_albedo(const std::vector<std::string>& arguments, const std::string& out) {
+  const TemporaryFile captured_out, captured_err;
+  const pid_t child = start(arguments, out.empty() ? captured_out.path() : out, captured_err.path());
   int status = 0;
   if (::waitpid(child, &status, 0) != child) throw std::runtime_error("lost " ALBEDO_PROGRAM);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return {code, read_text(captured_out.path()), read_text(captured_err.path())};
+}
+
+RunningAlbedo::RunningAlbedo(const std::vector<std::string>& arguments)
+    : child_(start(arguments, "/dev/null", "/dev/null")) {}
+
+bool RunningAlbedo::has_ended() {
+  if (child_ != 0 && ::waitpid(child_, nullptr, WNOHANG) == child_) child_ = 0;
+  return child_ == 0;
+}
+
+void RunningAlbedo::kill(int signal) {
+  if (has_ended()) return;
+  ::kill(child_, signal);
+  ::waitpid(std::exchange(child_, 0), nullptr, 0);
 }
 
 std::string read_text(const std::filesystem::path& path) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/types.h>
+
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +20,22 @@ struct Outcome {
 
 /// Runs `albedo` with these arguments; standard output goes to the file `out` if one is given.
 Outcome run_albedo(const std::vector<std::string>& arguments, const std::string& out = "");
+
+/// A run of `albedo` that nobody waits for, and whose output nobody reads. It is killed with its owner.
+class RunningAlbedo {
+ public:
+  explicit RunningAlbedo(const std::vector<std::string>& arguments);
+  ~RunningAlbedo() { kill(SIGKILL); }
+  RunningAlbedo(const RunningAlbedo&) = delete;
+  RunningAlbedo& operator=(const RunningAlbedo&) = delete;
+
+  [[nodiscard]] bool has_ended();
+  /// Sends a signal, if the run hasn't ended, and waits for its end.
+  void kill(int signal);
+
+ private:
+  pid_t child_;
+};
 
 std::string read_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
