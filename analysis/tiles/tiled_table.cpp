@@ -64,6 +64,8 @@ TiledTable::TiledTable(const TableSource& source, std::vector<Axis> axes, const 
   Json computation = options_.computation;
   computation["axes"] = describe(source.axes());
   computation["tile"] = tile_;
+  // As it will be read again: a name of a file may hold any byte, JSON may not.
+  computation = Json::parse(computation.dump(-1, ' ', false, Json::error_handler_t::replace));
   const JournalHead head{options_.command, std::move(computation), tiles()};
   if (!is_continued(head)) begin(head);
 }
