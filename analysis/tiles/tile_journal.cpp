@@ -107,7 +107,9 @@ void TileJournal::record(std::size_t tile, const TileRecord& record) {
 
 std::size_t TileJournal::count() const {
   std::size_t result = 0;
-  for (std::size_t tile = 0; tile < head_.tiles; ++tile) result += find(tile).has_value() ? 1 : 0;
+  for (std::size_t tile = 0; tile < head_.tiles; ++tile) {
+    if (find(tile)) ++result;
+  }
   return result;
 }
 
