@@ -1,9 +1,5 @@
 #include "analysis/tiles/tiled_table.hpp"
 
-#include <omp.h>
-
-#include <cstring>
-
 #include "analysis/output/npy_writer.hpp"
 #include "analysis/output_directory.hpp"
 
