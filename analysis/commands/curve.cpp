@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/larger.hpp"
@@ -11,9 +14,12 @@
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
+#include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
 #include "analysis/commands/provenance.hpp"
+#include "analysis/commands/rational_curve.hpp"
 #include "analysis/commands/text.hpp"
+#include "analysis/input/value.hpp"
 #include "analysis/output/atomic_file.hpp"
 
 namespace albedo::analysis {
@@ -21,10 +27,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What is written: nodes, or one function.
+enum class OutputForm { nodes, rational };
+constexpr std::array all_output_forms{OutputForm::nodes, OutputForm::rational};
+std::string_view name_of(OutputForm form) { return form == OutputForm::nodes ? "nodes" : "rational"; }
+
 struct Arguments {
   ModelArguments model;
   ComputeOptions options;
   double phi = 0;
+  OutputForm form = OutputForm::nodes;
+  std::optional<std::size_t> coefficients{};  ///< only of a rational form
   std::string output;
   std::vector<Assertion> assertions;
 };
@@ -156,6 +169,21 @@ Facts facts_of(const std::vector<ChannelCurve>& curves) {
   return facts;
 }
 
+int run_rational(const Arguments& arguments, const Model& model, const std::string& output,
+                 const std::string& command_line) {
+  RationalRequest request{.output = output,
+                          .json = arguments.options.json,
+                          .assertions = arguments.assertions,
+                          .description = describe(model, arguments, false)};
+  RationalOptions& options = request.options;
+  options.albedo = arguments.options.albedo();
+  options.tolerance = arguments.options.tolerance.value_or(options.tolerance);
+  options.most_coefficients = arguments.coefficients.value_or(options.most_coefficients);
+  options.phi_degrees = arguments.phi;
+  options.threads = arguments.options.threads;
+  return run_rational_curve(model, request, command_line);
+}
+
 int run(const Arguments& arguments, const std::string& command_line) {
   const std::vector<std::string> channels = arguments.model.channels();
   check_one_channel(arguments.assertions, channels);
@@ -164,6 +192,13 @@ int run(const Arguments& arguments, const std::string& command_line) {
   const std::string output = arguments.output.empty() && !arguments.options.json ? "-" : arguments.output;
   if (output == "-" && arguments.options.json)
     throw ParameterError("--json and --output - would both use standard output");
+  if (arguments.form == OutputForm::rational) {
+    if (channels.size() > 1) {
+      throw ParameterError("a rational form is that of one channel: give channel=" + channels.front() + " or another");
+    }
+    return run_rational(arguments, *models.front(), output, command_line);
+  }
+  if (arguments.coefficients) throw ParameterError("--coefficients is of --form rational only");
   check_answerable(
       arguments.assertions, [&](double, double phi) { return phi == arguments.phi; },
       "the curve is that of another --phi");
@@ -200,16 +235,36 @@ Command add_curve(CLI::App& program) {
       program.add_subcommand("curve", "the albedo from normal to grazing incidence, with as many nodes as needed");
   add_model_arguments(*app, arguments->model);
   add_number(*app, "--phi", arguments->phi, "azimuth of L in degrees")->type_name("DEG");
-  app->add_option("-o,--output", arguments->output,
-                  "a .csv, .json, .npy, .exr or .hpp; default: CSV on standard output")
+  app->add_option(
+         "-o,--output", arguments->output,
+         "a .csv, .json, .npy, .exr or .hpp; default: CSV on standard output; of a rational form .hpp, .glsl or .json")
       ->type_name("FILE");
+  add_choice(*app, "--form", all_output_forms, arguments->form,
+             "the nodes of a curve, or one rational function of cos_theta, to compile");
+  app->add_option_function<std::string>(
+         "--coefficients",
+         [arguments](const std::string& text) {
+           const double value = parse_number("--coefficients", text);
+           if (!(value >= 3 && value <= 64 && value == std::floor(value))) {
+             throw ParameterError("--coefficients is " + text + " and must be a whole number within [3, 64]");
+           }
+           arguments->coefficients = static_cast<std::size_t>(value);
+         },
+         "the most of a rational form; default 16")
+      ->type_name("N");
   add_compute_options(*app, arguments->options);
   add_assert_option(*app, arguments->assertions);
   app->footer(
       "--assert: max and min are those of the nodes and of the limit at 90 degrees, mean is the albedo under light "
       "from\n"
       "everywhere, error is the relative bound of the curve, evaluations are those of the whole curve.\n"
-      "Example: a curve good to a millionth, and whether it conserves energy:\n"
+      "--form rational: a function of at most 16 coefficients over [0, 89.99] degrees, as C++ (.hpp, or - for "
+      "standard\n"
+      "output), GLSL (.glsl) or .json; --tolerance is its largest relative error, default 1e-6, verified at directions "
+      "that\n"
+      "were not fitted. The exit code is 3 where that many coefficients don't reach it.\n"
+      "Examples: a function for a shader; a curve good to a millionth, and whether it conserves energy:\n"
+      "  albedo curve ggx alpha=0.3 --form rational -o ggx.glsl\n"
       "  albedo curve ggx alpha=0.3 --tolerance 1e-6 -o ggx.csv --assert 'max<=1'");
   return {app, [arguments](const std::string& command_line) { return run(*arguments, command_line); }};
 }
