@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/larger.hpp"
@@ -17,6 +19,7 @@
 #include "analysis/commands/table_request.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/material_table.hpp"
+#include "analysis/studies/albedo_proxy.hpp"
 #include "analysis/studies/table_growth.hpp"
 #include "analysis/tiles/tiled_table.hpp"
 
@@ -25,11 +28,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Where entries come from: an integration each, or series that few of them make.
+enum class Fill { direct, proxy };
+constexpr std::array all_fills{Fill::direct, Fill::proxy};
+std::string_view name_of(Fill fill) { return fill == Fill::direct ? "direct" : "proxy"; }
+
 struct Arguments {
   ModelArguments model;
   ComputeOptions options;
   std::string materials, output;
   bool summary = false, errors = false, resume = false;
+  Fill fill = Fill::direct;
+  int verified = 1000;                 ///< random places at which a proxy is compared with integrations
   TableGrowth growth{.max_error = 0};  ///< 0: the table doesn't grow
   std::vector<Assertion> assertions;
 };
@@ -89,6 +99,32 @@ class StackedTables {
   double worst_error_ = 0, interpolation_error_ = 0;
   std::size_t unconverged_ = 0, divergent_ = 0;
   std::int64_t evaluations_ = 0;
+};
+
+/// A table filled from a proxy.
+class ProxyTable {
+ public:
+  ProxyTable(const AlbedoProxy& proxy, const std::vector<TableAxis>& axes, double node_error, int threads)
+      : proxy_(proxy), values_(proxy.fill(axes, threads)) {
+    double largest = 0;
+    for (const double value : values_) keep_larger(largest, std::abs(value));
+    worst_error_ = (proxy.error() + node_error) * std::max(proxy.largest(), largest);
+    interpolation_error_ = albedo::analysis::interpolation_error(
+        axes, values_, [&](const std::vector<TableAxis>& over) { return proxy.fill(over, threads); });
+  }
+
+  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+  [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
+  [[nodiscard]] double worst_error() const { return worst_error_; }
+  [[nodiscard]] double interpolation_error() const { return interpolation_error_; }
+  [[nodiscard]] std::size_t unconverged() const { return proxy_.unconverged(); }
+  [[nodiscard]] std::size_t divergent() const { return 0; }
+  [[nodiscard]] std::int64_t evaluations() const { return proxy_.evaluations(); }
+
+ private:
+  const AlbedoProxy& proxy_;
+  std::vector<double> values_, errors_;
+  double worst_error_ = 0, interpolation_error_ = 0;
 };
 
 /// The table at one direction, linearly interpolated along its only axis. The axis is `theta` or `cos_theta`, in any
@@ -176,15 +212,17 @@ void complete(Json& provenance, const Arguments& arguments, const Known& table) 
 }
 
 /// Says what was asked for of a table that is written.
-int report(const Arguments& arguments, const Known& table, const EntryAt& value, double seconds) {
-  const Json summary{{"entries", table.entries},
-                     {"worst_error", table.worst_error},
-                     {"interpolation_error", table.interpolation_error},
-                     {"unconverged", table.unconverged},
-                     {"divergent", table.divergent},
-                     {"evaluations", table.evaluations},
-                     {"seconds", seconds},
-                     {"output", arguments.output}};
+int report(const Arguments& arguments, const Known& table, const EntryAt& value, const Json& provenance,
+           double seconds) {
+  Json summary{{"entries", table.entries},
+               {"worst_error", table.worst_error},
+               {"interpolation_error", table.interpolation_error},
+               {"unconverged", table.unconverged},
+               {"divergent", table.divergent},
+               {"evaluations", table.evaluations},
+               {"seconds", seconds},
+               {"output", arguments.output}};
+  if (provenance.contains("proxy")) summary["proxy"] = provenance["proxy"];
   if (arguments.options.json) std::cout << json_text(summary) << '\n';
   if (arguments.summary) std::cerr << json_text(summary) << '\n';
   const bool is_reached = complain_of_growth(arguments, table);
@@ -214,7 +252,7 @@ int conclude(const Arguments& arguments, Filled table, double grown_error, Json 
                .provenance = provenance},
               arguments.output);
   return report(
-      arguments, table, [&](std::size_t i) { return table.values[i]; }, seconds);
+      arguments, table, [&](std::size_t i) { return table.values[i]; }, provenance, seconds);
 }
 
 /// Whether the entries go to their places in a file instead of memory.
@@ -266,7 +304,7 @@ int run_tiled(const Arguments& arguments, const TableRequest& request, const Tab
   provenance["command"] = table.command();
   complete(provenance, arguments, known);
   table.commit({.axes = known.axes, .provenance = provenance});
-  return report(arguments, known, value, seconds());
+  return report(arguments, known, value, provenance, seconds());
 }
 
 int parse_bits(const std::string& text) {
@@ -282,6 +320,52 @@ void check_before(const Arguments& arguments, const std::vector<Axis>& axes, dou
   check_table_path(arguments.output, axes);
 }
 
+/// What --fill proxy does, after everything is checked. `options` are those of its integrations.
+int fill_from_proxy(const Arguments& arguments, const TableRequest& request, TableOptions options, Json provenance,
+                    const std::function<double()>& seconds) {
+  constexpr double share = 20;  // of the tolerance
+  const double tolerance = arguments.options.tolerance.value_or(ProxyOptions{}.tolerance);
+  options.albedo.tolerance = is_monte_carlo(options.albedo.rule) ? tolerance : std::max(tolerance / share, 1e-13);
+  const ProxyEntries entries = [&](const std::vector<TableAxis>& over) {
+    const AlbedoTable table(request.model, request.fixed, over, options);
+    return ProxySamples{table.values(), table.unconverged(), table.evaluations()};
+  };
+  const AlbedoProxy proxy(request.axes, entries,
+                          {.tolerance = tolerance,
+                           .verified = static_cast<std::size_t>(arguments.verified),
+                           .seed = arguments.options.seed});
+  if (!std::isfinite(proxy.largest())) {
+    throw ParameterError(
+        "--fill proxy needs finite albedos, and one within these axes is not: keep away from grazing "
+        "incidence, or fill directly");
+  }
+  const ProxyTable table(proxy, request.axes, options.albedo.tolerance, arguments.options.threads);
+  Json worst = Json::object();
+  for (std::size_t i = 0; i < request.axes.size() && !proxy.worst_place().empty(); ++i) {
+    worst[request.axes[i].name] = proxy.worst_place()[i];
+  }
+  provenance["proxy"] = {{"tolerance", tolerance},
+                         {"coefficients", proxy.sizes()},
+                         {"integrations", proxy.integrations()},
+                         {"verified_places", arguments.verified},
+                         {"relative_error", proxy.error()},
+                         {"worst_place", worst},
+                         {"is_reached", proxy.is_reached()}};
+  const int code = conclude(arguments, Filled(request.document_axes(), table), 0, std::move(provenance), seconds());
+  if (proxy.is_reached()) return code;
+  std::cerr << "albedo: --fill proxy is off by up to " << number_text(proxy.error(), 3)
+            << " of the largest albedo; asked for were " << number_text(tolerance, 3) << '\n';
+  return code == exit_code::done ? exit_code::not_converged : code;
+}
+
+/// Refuses what --fill proxy can't do.
+void check_fill(const Arguments& arguments) {
+  if (arguments.fill == Fill::direct) return;
+  if (!arguments.materials.empty()) throw ParameterError("--fill proxy is of one model, not of --materials");
+  if (arguments.errors) throw ParameterError("--fill proxy knows no errors of single entries: leave out --errors");
+  if (arguments.growth.max_error > 0) throw ParameterError("--fill proxy and --max-error exclude each other");
+}
+
 int run(const Arguments& arguments, const std::string& command_line) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -289,6 +373,7 @@ int run(const Arguments& arguments, const std::string& command_line) {
   if (arguments.output == "-" && arguments.options.json) {
     throw ParameterError("--json and --output - would both use standard output");
   }
+  check_fill(arguments);
   ProgressBar progress;
   TableOptions options{.albedo = arguments.options.albedo(),
                        .threads = arguments.options.threads,
@@ -331,6 +416,10 @@ int run(const Arguments& arguments, const std::string& command_line) {
   provenance["model"] = request.model;
   provenance["parameters"] = parameters_json(request.fixed_parameters());
   for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
+  if (arguments.fill == Fill::proxy) {
+    if (by_channel) throw ParameterError("--fill proxy is of one channel: give channel=" + request.channels.front());
+    return fill_from_proxy(arguments, request, quiet, std::move(provenance), seconds);
+  }
   if (is_tiled(arguments, by_channel)) return run_tiled(arguments, request, options, std::move(provenance), seconds);
   const auto in_channel = [&](const std::string& channel) {
     Parameters fixed = request.fixed;
@@ -374,6 +463,11 @@ Command add_table(CLI::App& program) {
       ->required();
   app->add_option("--materials", arguments->materials, R"(instead of MODEL: JSON of {"name", "model", "parameters"})")
       ->type_name("FILE");
+  add_choice(
+      *app, "--fill", all_fills, arguments->fill,
+      "an integration for every entry, or Chebyshev series made from few, whose cost doesn't grow with the table");
+  add_integer(*app, "--verify", arguments->verified, 1, 10'000'000,
+              "random places at which --fill proxy is compared with integrations");
   add_real(*app, "--max-error", arguments->growth.max_error, 1e-7, 1,
            "halve gaps until linear interpolation between the entries is within this, at verified places");
   app->add_option_function<std::string>(
@@ -396,6 +490,8 @@ Command add_table(CLI::App& program) {
       "numbers that 8, 10 or 16 bits (multiples of scale/(2^bits - 1), scale 1 or the largest entry) or a float hold.\n"
       "A .npy of one model is written in place: until it is whole it is FILE.part, with FILE.journal of what is "
       "finished.\n"
+      "--fill proxy: --tolerance (default 1e-6) is of the entries, relative to the largest; exit code 3 if it isn't "
+      "met.\n"
       "--assert: max, min and mean are those of the entries, error is the largest of a finite entry, evaluations are "
       "those of\n"
       "the whole table; at(THETA) interpolates linearly in a table that varies nothing but theta or cos_theta.\n"

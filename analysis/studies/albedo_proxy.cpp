@@ -140,7 +140,7 @@ AlbedoProxy::AlbedoProxy(const std::vector<TableAxis>& axes, const ProxyEntries&
   };
 
   std::vector<double> values = integrate(grid_of(sizes_));
-  double largest = 0;
+  double& largest = largest_;
   for (;;) {
     coefficients_ = values;
     for (std::size_t i = 0; i < sizes_.size(); ++i) {

@@ -51,6 +51,7 @@ class AlbedoProxy {
   [[nodiscard]] const std::vector<std::size_t>& sizes() const { return sizes_; }  ///< coefficients along each axis
   /// The largest error at the verified places, relative to the largest albedo.
   [[nodiscard]] double error() const { return error_; }
+  [[nodiscard]] double largest() const { return largest_; }  ///< albedo that was integrated for the fit
   [[nodiscard]] const std::vector<double>& worst_place() const { return worst_place_; }
   [[nodiscard]] bool is_reached() const { return is_reached_; }
   [[nodiscard]] std::size_t integrations() const { return integrations_; }  ///< with those of the verification
@@ -72,7 +73,7 @@ class AlbedoProxy {
   std::vector<Variable> variables_;
   std::vector<std::size_t> sizes_;
   std::vector<double> coefficients_;
-  double error_ = 0;
+  double error_ = 0, largest_ = 0;
   std::vector<double> worst_place_;
   bool is_reached_ = false;
   std::size_t integrations_ = 0, unconverged_ = 0;
