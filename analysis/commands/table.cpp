@@ -333,7 +333,8 @@ int fill_from_proxy(const Arguments& arguments, const TableRequest& request, Tab
   const AlbedoProxy proxy(request.axes, entries,
                           {.tolerance = tolerance,
                            .verified = static_cast<std::size_t>(arguments.verified),
-                           .seed = arguments.options.seed});
+                           .seed = arguments.options.seed,
+                           .threads = arguments.options.threads});
   if (!std::isfinite(proxy.largest())) {
     throw ParameterError(
         "--fill proxy needs finite albedos, and one within these axes is not: keep away from grazing "

@@ -176,23 +176,36 @@ AlbedoProxy::AlbedoProxy(const std::vector<TableAxis>& axes, const ProxyEntries&
     sizes_ = finer;
   }
 
-  std::mt19937_64 random(options.seed);
   error_ = std::isfinite(largest) ? 0 : std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < options.verified && std::isfinite(largest); ++k) {
-    std::vector<TableAxis> at;
-    std::vector<double> place;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      const double unit = static_cast<double>(random() >> 11) * 0x1p-53, least = variables_[i].least,
-                   most = variables_[i].largest;
-      // half of the places evenly over the axes, as tables are read, half over the variables, where errors hide
-      place.push_back(k % 2 == 0 ? least + (most - least) * unit : variables_[i].value_at(2 * unit - 1));
-      at.push_back({names_[i], {place.back()}});
-    }
-    const double albedo = integrate(at).front();
-    const double error = largest == 0 ? std::abs((*this)(place)) : std::abs((*this)(place)-albedo) / largest;
-    if (!(error <= error_)) error_ = error, worst_place_ = place;
-  }
+  if (std::isfinite(largest)) verify(entries, options);
   is_reached_ = error_ <= options.tolerance && unconverged_ == 0;
+}
+
+void AlbedoProxy::verify(const ProxyEntries& entries, const ProxyOptions& options) {
+  std::mt19937_64 random(options.seed);
+  std::vector<std::vector<double>> places(options.verified);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    for (const Variable& variable : variables_) {
+      const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
+      // half of the places evenly over the axes, as tables are read, half over the variables, where errors hide
+      places[k].push_back(k % 2 == 0 ? std::lerp(variable.least, variable.largest, unit)
+                                     : variable.value_at(2 * unit - 1));
+    }
+  }
+  std::vector<ProxySamples> samples(places.size());
+  in_parallel(places.size(), options.threads, [&](std::size_t k) {
+    std::vector<TableAxis> at;
+    for (std::size_t i = 0; i < names_.size(); ++i) at.push_back({names_[i], {places[k][i]}});
+    samples[k] = entries(at);
+  });
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    ++integrations_;
+    unconverged_ += samples[k].unconverged;
+    evaluations_ += samples[k].evaluations;
+    const double difference = std::abs((*this)(places[k]) - samples[k].values.front());
+    const double error = largest_ == 0 ? difference : difference / largest_;
+    if (!(error <= error_)) error_ = error, worst_place_ = places[k];
+  }
 }
 
 double AlbedoProxy::operator()(const std::vector<double>& place) const {
@@ -204,7 +217,7 @@ double AlbedoProxy::operator()(const std::vector<double>& place) const {
 std::vector<double> AlbedoProxy::fill(const std::vector<TableAxis>& axes, int threads) const {
   std::vector<double> tensor = coefficients_;
   std::vector<std::size_t> sizes = sizes_;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
+  for (std::size_t i = axes.size(); i-- > 0;) {  // the last axis first: then the rows of the large tensor are long
     const std::size_t rows = axes[i].values.size();
     std::vector<double> matrix(rows * sizes_[i]);
     for (std::size_t r = 0; r < rows; ++r) {

@@ -12,12 +12,14 @@
 
 namespace albedo::analysis {
 
-/// The albedos over these axes, C order; how they come about is up to whoever gives it.
+/// The albedos over some axes, C order.
 struct ProxySamples {
   std::vector<double> values{};
   std::size_t unconverged = 0;
   std::int64_t evaluations = 0;
 };
+
+/// Where they come from; called from several threads.
 using ProxyEntries = std::function<ProxySamples(const std::vector<TableAxis>& axes)>;
 
 struct ProxyOptions {
@@ -25,6 +27,7 @@ struct ProxyOptions {
   std::size_t most_integrations = 200'000;  ///< for the fit
   std::size_t verified = 256;               ///< random places
   std::uint64_t seed = 1;
+  int threads = 0;  ///< of the verification
 };
 
 /// How an axis becomes the variable of its series, [−1, 1] between its least and its largest value.
@@ -68,6 +71,8 @@ class AlbedoProxy {
     [[nodiscard]] double of(double value) const;    ///< in [−1, 1]
     [[nodiscard]] double value_at(double u) const;  ///< the inverse
   };
+
+  void verify(const ProxyEntries& entries, const ProxyOptions& options);
 
   std::vector<std::string> names_;
   std::vector<Variable> variables_;
