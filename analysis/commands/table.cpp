@@ -110,7 +110,7 @@ class ProxyTable {
     for (const double value : values_) keep_larger(largest, std::abs(value));
     worst_error_ = (proxy.error() + node_error) * std::max(proxy.largest(), largest);
     interpolation_error_ = albedo::analysis::interpolation_error(
-        axes, values_, [&](const std::vector<TableAxis>& over) { return proxy.fill(over, threads); });
+        axes, values_, [&](const std::vector<TableAxis>& over) { return proxy.fill(over, 1); });
   }
 
   [[nodiscard]] const std::vector<double>& values() const { return values_; }
