@@ -1,0 +1,120 @@
+#include "analysis/commands/table_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "albedo/core/larger.hpp"
+#include "analysis/commands/checks.hpp"
+#include "analysis/commands/commands.hpp"
+#include "analysis/commands/provenance.hpp"
+#include "analysis/commands/text.hpp"
+
+namespace albedo::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The table at one direction, linearly interpolated along its only axis. The axis is `theta` or `cos_theta`, in any
+/// order.
+double interpolated(const Axis& axis, const EntryAt& value, double theta) {
+  const double place = axis.name == "theta" ? theta : Direction::from_degrees(theta).cos_theta;
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    if (axis.values[i] == place) return value(i);
+    if (i + 1 == axis.size() || (axis.values[i] < place) == (axis.values[i + 1] < place)) continue;
+    return std::lerp(value(i), value(i + 1), (place - axis.values[i]) / (axis.values[i + 1] - axis.values[i]));
+  }
+  return NAN;  // unreachable after check_at()
+}
+
+/// What --bits asks for, and --max-error: the entries as they are held, and what is said of them.
+void hold(const TableArguments& arguments, Filled& table, double grown_error, Json& provenance) {
+  if (arguments.growth.bits != 0) {
+    QuantisedEntries entries = quantised(std::move(table.values), arguments.growth.bits);
+    table.values = std::move(entries.values);
+    provenance["bits"] = arguments.growth.bits;
+    if (arguments.growth.bits < 32) provenance["scale"] = entries.scale;
+    provenance["quantisation_error"] = entries.error;
+    table.worst_error += entries.error;
+    if (arguments.growth.max_error == 0) table.interpolation_error += entries.error;
+  }
+  if (arguments.growth.max_error == 0) return;
+  provenance["max_error"] = arguments.growth.max_error;
+  keep_larger(table.interpolation_error, grown_error);  // which is met with the entries as they are held
+}
+
+/// Whether --max-error is met; says so if not.
+bool complain_of_growth(const TableArguments& arguments, const Known& table) {
+  const double allowed = arguments.growth.max_error;
+  if (allowed == 0 || (table.interpolation_error <= allowed && table.divergent == 0)) return true;
+  std::cerr << "albedo: --max-error " << number_text(allowed, 3) << " isn't met: ";
+  if (table.divergent > 0) {
+    std::cerr << "an albedo is infinite, and nothing is interpolated towards it\n";
+  } else {
+    const int bits = arguments.growth.bits;
+    const double rounding = bits == 0 || bits == 32 ? 0 : 0.5 / (std::exp2(bits) - 1);
+    std::cerr << "interpolation is off by up to " << number_text(table.interpolation_error, 3) << " with "
+              << table.entries << " entries"
+              << (rounding > allowed ? ", and " + std::to_string(bits) + " bits alone by " + number_text(rounding, 3)
+                                     : "")
+              << '\n';
+  }
+  return false;
+}
+
+}  // namespace
+
+void complete(Json& provenance, const TableArguments& arguments, const Known& table) {
+  provenance["axes"] = describe_axes(table.axes);
+  if (arguments.model.corrections.any()) provenance["corrections"] = corrections_json(arguments.model.corrections);
+  arguments.options.describe(provenance);
+  provenance["largest_error"] = table.worst_error;
+  provenance["interpolation_error"] = table.interpolation_error;
+  provenance["unconverged"] = table.unconverged;
+  provenance["divergent"] = table.divergent;
+  provenance["evaluations"] = table.evaluations;
+}
+
+int report(const TableArguments& arguments, const Known& table, const EntryAt& value, const Json& provenance,
+           double seconds) {
+  Json summary{{"entries", table.entries},
+               {"worst_error", table.worst_error},
+               {"interpolation_error", table.interpolation_error},
+               {"unconverged", table.unconverged},
+               {"divergent", table.divergent},
+               {"evaluations", table.evaluations},
+               {"seconds", seconds},
+               {"output", arguments.output}};
+  if (provenance.contains("proxy")) summary["proxy"] = provenance["proxy"];
+  if (arguments.options.json) std::cout << json_text(summary) << '\n';
+  if (arguments.summary) std::cerr << json_text(summary) << '\n';
+  const bool is_reached = complain_of_growth(arguments, table);
+  const int unreached = is_reached ? exit_code::done : exit_code::not_converged;
+  if (arguments.assertions.empty() && table.unconverged == 0) return unreached;
+
+  const Extent extent = extent_of(table.entries, value);
+  const Facts facts{.at = [&](double theta, double) { return interpolated(table.axes.back(), value, theta); },
+                    .max = extent.max,
+                    .min = extent.min,
+                    .mean = extent.mean,
+                    .error = table.worst_error,
+                    .evaluations = static_cast<double>(table.evaluations)};
+  const int code = concluding_exit_code(arguments.assertions, facts, {table.entries, table.unconverged});
+  return code == exit_code::done ? unreached : code;
+}
+
+int conclude(const TableArguments& arguments, Filled table, double grown_error, Json provenance, double seconds) {
+  hold(arguments, table, grown_error, provenance);
+  complete(provenance, arguments, table);
+  const std::string name = provenance.value("model", "materials") + "_albedo";
+  write_table({.name = name,
+               .axes = table.axes,
+               .values = table.values.data(),
+               .errors = table.errors.empty() ? nullptr : table.errors.data(),
+               .provenance = provenance},
+              arguments.output);
+  return report(
+      arguments, table, [&](std::size_t i) { return table.values[i]; }, provenance, seconds);
+}
+
+}  // namespace albedo::analysis

@@ -1,0 +1,79 @@
+/// @file
+/// What `albedo table` was asked for, and what it says of a table.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/commands/model_arguments.hpp"
+#include "analysis/commands/options.hpp"
+#include "analysis/input/assertion.hpp"
+#include "analysis/output/table_document.hpp"
+#include "analysis/studies/table_growth.hpp"
+
+namespace albedo::analysis {
+
+/// Where entries come from: an integration each, or series that few of them make.
+enum class Fill { direct, proxy };
+inline constexpr std::array all_fills{Fill::direct, Fill::proxy};
+inline std::string_view name_of(Fill fill) { return fill == Fill::direct ? "direct" : "proxy"; }
+
+struct TableArguments {
+  ModelArguments model;
+  ComputeOptions options;
+  std::string materials, output;
+  bool summary = false, errors = false, resume = false;
+  Fill fill = Fill::direct;
+  int verified = 1000;                 ///< random places at which a proxy is compared with integrations
+  TableGrowth growth{.max_error = 0};  ///< 0: the table doesn't grow
+  std::vector<Assertion> assertions;
+};
+
+/// What is known of a table, wherever its entries are.
+struct Known {
+  std::vector<Axis> axes;
+  std::size_t entries;
+  double worst_error, interpolation_error;
+  std::size_t unconverged, divergent;
+  std::int64_t evaluations;
+};
+
+/// What an AlbedoTable and a MaterialTable have in common, once filled. The entries stay where they are.
+struct Filled : Known {
+  std::vector<double> values;
+  const std::vector<double>& errors;
+
+  template <class Table>
+  Filled(std::vector<Axis> of_document, const Table& table)
+      : Known{.axes = std::move(of_document),
+              .entries = table.values().size(),
+              .worst_error = table.worst_error(),
+              .interpolation_error = table.interpolation_error(),
+              .unconverged = table.unconverged(),
+              .divergent = table.divergent(),
+              .evaluations = table.evaluations()},
+        values(table.values()),
+        errors(table.errors()) {}
+};
+
+using EntryAt = std::function<double(std::size_t entry)>;
+
+/// How the entries were computed, and what is known of them.
+void complete(nlohmann::ordered_json& provenance, const TableArguments& arguments, const Known& table);
+
+/// Says what was asked for of a table that is written, and returns the exit code.
+int report(const TableArguments& arguments, const Known& table, const EntryAt& value,
+           const nlohmann::ordered_json& provenance, double seconds);
+
+/// Writes the table and says what was asked for.
+/// @param grown_error the largest error met between the entries of a table that has grown, as they are held
+int conclude(const TableArguments& arguments, Filled table, double grown_error, nlohmann::ordered_json provenance,
+             double seconds);
+
+}  // namespace albedo::analysis
