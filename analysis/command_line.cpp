@@ -3,9 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <iostream>
 #include <new>
+#include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/suggestion.hpp"
@@ -14,6 +17,7 @@
 #include "analysis/commands/provenance.hpp"
 #include "analysis/input/value.hpp"
 #include "analysis/output/atomic_file.hpp"
+#include "analysis/ranks/ranks.hpp"
 
 namespace albedo {
 namespace {
@@ -77,15 +81,20 @@ void flush_output() {
   throw cannot_write("standard output", std::generic_category().message(errno != 0 ? errno : EIO));
 }
 
-int complain(const std::string& message, int code) {
-  std::cerr << "albedo: " << message << '\n';
-  return code;
-}
-
 }  // namespace
 
 /// The one translator of exceptions to exit codes.
 int command_line(int argc, const char* const* argv) {
+  // The processes of one table all have the same to say; the first to end with an error is the end of all.
+  const bool is_heard = launch().rank == 0 || argc < 2 || std::string_view(argv[1]) != "table";
+  const auto complain = [&](const std::string& message, int code) {
+    if (is_heard) {
+      std::cerr << "albedo: " + message + '\n';
+    } else {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    }
+    return code;
+  };
   try {
     const int code = run(argc, argv);
     flush_output();

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace albedo::analysis {
 
@@ -18,13 +19,16 @@ class ProgressBar {
   /// To be called from one thread at a time.
   void update(std::size_t done, std::size_t total);
 
+  /// "25 %, 1000 of 4000 at 100 a second, 30 s left"
+  [[nodiscard]] std::string text(std::size_t done, std::size_t total) const;
+
  private:
   using Clock = std::chrono::steady_clock;
 
   bool is_wanted_;
   bool is_coloured_;
   bool is_shown_ = false;
-  Clock::time_point next_;
+  Clock::time_point begin_, next_;
 };
 
 }  // namespace albedo::analysis

@@ -208,6 +208,9 @@ Command add_table(CLI::App& program) {
   app->add_flag("--errors", arguments->errors, "keep the error of every entry too");
   app->add_flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
   app->add_flag("--resume", arguments->resume, "continue an unfinished .npy of the same command, if there is one");
+  app->add_option("--log", arguments->log,
+                  "append a line every 30 s to it while a .npy is filled: done, rate, time left")
+      ->type_name("FILE");
   add_compute_options(*app, arguments->options);
   add_assert_option(*app, arguments->assertions);
   app->footer(
@@ -221,6 +224,8 @@ Command add_table(CLI::App& program) {
       "numbers that 8, 10 or 16 bits (multiples of scale/(2^bits - 1), scale 1 or the largest entry) or a float hold.\n"
       "A .npy of one model is written in place: until it is whole it is FILE.part, with FILE.journal of what is "
       "finished.\n"
+      "mpirun or srun may start several processes for it, with --threads in each, where the program was built with "
+      "MPI.\n"
       "--fill proxy: --tolerance (default 1e-6) is of the entries, relative to the largest; exit code 3 if it isn't "
       "met.\n"
       "--assert: max, min and mean are those of the entries, error is the largest of a finite entry, evaluations are "

@@ -43,6 +43,18 @@ void hold(const TableArguments& arguments, Filled& table, double grown_error, Js
   keep_larger(table.interpolation_error, grown_error);  // which is met with the entries as they are held
 }
 
+/// {"alpha": 0.1, "cos_theta": 0.5}: where an entry stands.
+Json place_of(const std::vector<Axis>& axes, std::size_t entry) {
+  std::vector<std::size_t> indices(axes.size());
+  for (std::size_t i = axes.size(); i-- > 0; entry /= axes[i].size()) indices[i] = entry % axes[i].size();
+  Json place = Json::object();
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Axis& axis = axes[i];
+    place[axis.name] = axis.is_categorical() ? Json(axis.labels[indices[i]]) : Json(axis.values[indices[i]]);
+  }
+  return place;
+}
+
 /// Whether --max-error is met; says so if not.
 bool complain_of_growth(const TableArguments& arguments, const Known& table) {
   const double allowed = arguments.growth.max_error;
@@ -75,17 +87,22 @@ void complete(Json& provenance, const TableArguments& arguments, const Known& ta
   provenance["evaluations"] = table.evaluations;
 }
 
+Json summary_of(const TableArguments& arguments, const Known& table, const Json& provenance, double seconds) {
+  Json summary{{"entries", table.entries}, {"worst_error", table.worst_error}};
+  if (table.worst_entry) summary["worst_at"] = place_of(table.axes, *table.worst_entry);
+  summary["interpolation_error"] = table.interpolation_error;
+  summary["unconverged"] = table.unconverged;
+  summary["divergent"] = table.divergent;
+  summary["evaluations"] = table.evaluations;
+  summary["seconds"] = seconds;
+  summary["output"] = arguments.output;
+  if (provenance.contains("proxy")) summary["proxy"] = provenance["proxy"];
+  return summary;
+}
+
 int report(const TableArguments& arguments, const Known& table, const EntryAt& value, const Json& provenance,
            double seconds) {
-  Json summary{{"entries", table.entries},
-               {"worst_error", table.worst_error},
-               {"interpolation_error", table.interpolation_error},
-               {"unconverged", table.unconverged},
-               {"divergent", table.divergent},
-               {"evaluations", table.evaluations},
-               {"seconds", seconds},
-               {"output", arguments.output}};
-  if (provenance.contains("proxy")) summary["proxy"] = provenance["proxy"];
+  const Json summary = summary_of(arguments, table, provenance, seconds);
   if (arguments.options.json) std::cout << json_text(summary) << '\n';
   if (arguments.summary) std::cerr << json_text(summary) << '\n';
   const bool is_reached = complain_of_growth(arguments, table);

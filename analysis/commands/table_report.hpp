@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,7 +28,7 @@ inline std::string_view name_of(Fill fill) { return fill == Fill::direct ? "dire
 struct TableArguments {
   ModelArguments model;
   ComputeOptions options;
-  std::string materials, output;
+  std::string materials, output, log;
   bool summary = false, errors = false, resume = false;
   Fill fill = Fill::direct;
   int verified = 1000;                 ///< random places at which a proxy is compared with integrations
@@ -40,6 +41,7 @@ struct Known {
   std::vector<Axis> axes;
   std::size_t entries;
   double worst_error, interpolation_error;
+  std::optional<std::size_t> worst_entry;
   std::size_t unconverged, divergent;
   std::int64_t evaluations;
 };
@@ -55,17 +57,29 @@ struct Filled : Known {
               .entries = table.values().size(),
               .worst_error = table.worst_error(),
               .interpolation_error = table.interpolation_error(),
+              .worst_entry = worst_entry_of(table),
               .unconverged = table.unconverged(),
               .divergent = table.divergent(),
               .evaluations = table.evaluations()},
         values(table.values()),
         errors(table.errors()) {}
+
+ private:
+  template <class Table>
+  static std::optional<std::size_t> worst_entry_of(const Table& table) {
+    if constexpr (requires { table.worst_entry(); }) return table.worst_entry();
+    return std::nullopt;
+  }
 };
 
 using EntryAt = std::function<double(std::size_t entry)>;
 
 /// How the entries were computed, and what is known of them.
 void complete(nlohmann::ordered_json& provenance, const TableArguments& arguments, const Known& table);
+
+/// What is said of a table at the end.
+[[nodiscard]] nlohmann::ordered_json summary_of(const TableArguments& arguments, const Known& table,
+                                                const nlohmann::ordered_json& provenance, double seconds);
 
 /// Says what was asked for of a table that is written, and returns the exit code.
 int report(const TableArguments& arguments, const Known& table, const EntryAt& value,

@@ -1,29 +1,25 @@
 #include <algorithm>
+#include <cstring>
 #include <iostream>
+#include <optional>
+#include <type_traits>
 
 #include "albedo/core/errors.hpp"
+#include "analysis/commands/commands.hpp"
+#include "analysis/commands/fill_progress.hpp"
+#include "analysis/commands/interruption.hpp"
 #include "analysis/commands/table_fills.hpp"
+#include "analysis/commands/text.hpp"
+#include "analysis/ranks/ranks.hpp"
 #include "analysis/tiles/tiled_table.hpp"
 
 namespace albedo::analysis {
+namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_tiled(const TableArguments& arguments, bool by_channel) {
-  const bool is_plain = arguments.materials.empty() && arguments.fill == Fill::direct && !arguments.errors &&
-                        !by_channel && arguments.growth.max_error == 0 && arguments.growth.bits == 0;
-  const bool result = is_plain && can_be_tiled(arguments.output);
-  if (arguments.resume && !result) {
-    throw ParameterError(
-        "--resume continues a .npy file of one model and channel, without --errors, --max-error, --bits, "
-        "--fill proxy and --materials");
-  }
-  return result;
-}
-
-int run_tiled(const TableArguments& arguments, const TableRequest& request, const TableOptions& options,
-              Json provenance, const std::function<double()>& seconds) {
-  const TableSource source(request.model, request.fixed, request.axes, options);
+/// All that the entries depend on but the axes.
+Json computation_of(const TableArguments& arguments, const TableRequest& request, const Json& provenance) {
   Json computation = provenance;
   computation.erase("command");
   computation["compiler"] = __VERSION__;
@@ -33,30 +29,109 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
   if (const Json files = checksums_of_files(model_info(request.model), request.fixed); !files.empty()) {
     computation["files"] = files;
   }
-  TiledTable table(source, request.document_axes(), arguments.output,
-                   {.command = provenance["command"].get<std::string>(),
-                    .computation = std::move(computation),
-                    .resume = arguments.resume,
-                    .progress = options.progress});
-  LocalClaims claims(table.tiles());
-  table.fill(claims);
-  if (table.damaged() > 0) {
-    std::cerr << "albedo: " << table.damaged() << " finished tiles had a wrong checksum and were computed again\n";
+  return computation;
+}
+
+/// What all ranks have filled, known to all.
+FilledTiles merged(Ranks& ranks, const FilledTiles& own) {
+  static_assert(std::is_trivially_copyable_v<FilledTiles>);
+  std::string bytes(sizeof own, '\0');
+  std::memcpy(bytes.data(), &own, sizeof own);
+  FilledTiles all;
+  for (const std::string& of_rank : ranks.gather(bytes)) {
+    FilledTiles part;
+    std::memcpy(&part, of_rank.data(), sizeof part);
+    all.merge(part);
   }
-  const EntryAt value = [&](std::size_t entry) { return table.value(entry); };
-  const TableSource::Interpolation interpolation = source.interpolation(value);
-  const TableTally& tally = table.tally();
-  const Known known{.axes = request.document_axes(),
-                    .entries = source.size(),
-                    .worst_error = std::max(tally.worst_error, 0.0),
-                    .interpolation_error = interpolation.error,
-                    .unconverged = tally.unconverged,
-                    .divergent = tally.divergent,
-                    .evaluations = tally.evaluations + interpolation.evaluations};
-  provenance["command"] = table.command();
-  complete(provenance, arguments, known);
-  table.commit({.axes = known.axes, .provenance = provenance});
-  return report(arguments, known, value, provenance, seconds());
+  return all;
+}
+
+}  // namespace
+
+bool is_tiled(const TableArguments& arguments, bool by_channel) {
+  const bool is_plain = arguments.materials.empty() && arguments.fill == Fill::direct && !arguments.errors &&
+                        !by_channel && arguments.growth.max_error == 0 && arguments.growth.bits == 0;
+  const bool result = is_plain && can_be_tiled(arguments.output);
+  const auto refuse = [&](const std::string& what) {
+    if (result) return;
+    throw ParameterError(what +
+                         " a .npy file of one model and channel, without --errors, --max-error, --bits, "
+                         "--fill proxy and --materials");
+  };
+  if (arguments.resume) refuse("--resume continues");
+  if (!arguments.log.empty()) refuse("--log is of");
+  if (const Launch started = launch(); started.size > 1) {
+    refuse("the " + std::to_string(started.size) + " processes of " + started.variable + " can only share");
+  }
+  return result;
+}
+
+int run_tiled(const TableArguments& arguments, const TableRequest& request, const TableOptions& options,
+              Json provenance, const std::function<double()>& seconds) {
+  const std::unique_ptr<Ranks> ranks = join_ranks();
+  std::optional<TableSource> source;
+  std::optional<TiledTable> table;
+  const auto open = [&] {
+    source.emplace(request.model, request.fixed, request.axes, options);
+    table.emplace(Entries::of(*source), request.document_axes(), arguments.output,
+                  TilingOptions{.command = provenance["command"].get<std::string>(),
+                                .computation = computation_of(arguments, request, provenance),
+                                .resume = arguments.resume,
+                                .is_owner = ranks->is_first()});
+  };
+  ranks->together([&] {
+    if (ranks->is_first()) open();
+  });
+  ranks->together([&] {
+    if (!ranks->is_first()) open();
+  });
+  std::optional<InterruptionNotice> notice;
+  if (ranks->is_first())
+    notice.emplace("interrupted; the same command with --resume continues '" + arguments.output + "'");
+
+  FilledTiles filled;
+  std::optional<FillProgress> progress;
+  {
+    const std::unique_ptr<TileClaims> claims = ranks->claims(table->tiles());
+    ranks->together([&] {
+      if (!ranks->is_first()) return;
+      progress.emplace(*claims, source->size(), arguments.log);
+      progress->note("begins: " + provenance["command"].get<std::string>() + " (" + std::to_string(ranks->size()) +
+                     " processes of " + std::to_string(source->threads()) + " threads)");
+    });
+    ranks->together([&] { filled = table->fill(*claims); });
+    if (progress) progress->stop();
+  }
+  filled = merged(*ranks, filled);
+
+  int code = exit_code::done;
+  ranks->together([&] {
+    if (!ranks->is_first()) return;
+    if (filled.damaged > 0) {
+      std::cerr << "albedo: " << filled.damaged << " finished tiles had a wrong checksum and were computed again\n";
+    }
+    table->reopen();
+    const EntryAt value = [&](std::size_t entry) { return table->value(entry); };
+    const TableSource::Interpolation interpolation = source->interpolation(value);
+    const TableTally& tally = filled.tally;
+    const Known known{.axes = request.document_axes(),
+                      .entries = source->size(),
+                      .worst_error = std::max(tally.worst_error, 0.0),
+                      .interpolation_error = interpolation.error,
+                      .worst_entry = tally.worst_entry,
+                      .unconverged = tally.unconverged,
+                      .divergent = tally.divergent,
+                      .evaluations = tally.evaluations + interpolation.evaluations};
+    provenance["command"] = table->command();
+    complete(provenance, arguments, known);
+    table->commit({.axes = known.axes, .provenance = provenance});
+    notice.reset();
+    Json ended = summary_of(arguments, known, provenance, seconds());
+    ended["tiles"] = {{"computed", filled.computed}, {"verified", filled.verified}, {"damaged", filled.damaged}};
+    progress->note("ends: " + json_text(ended));
+    code = report(arguments, known, value, provenance, seconds());
+  });
+  return std::stoi(ranks->gather(std::to_string(code)).front());
 }
 
 }  // namespace albedo::analysis

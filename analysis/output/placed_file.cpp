@@ -21,9 +21,9 @@ namespace {
 
 }  // namespace
 
-PlacedFile::PlacedFile(std::string path, Mode mode)
-    : path_(std::move(path)),
-      descriptor_(::open(path_.c_str(), O_RDWR | O_CLOEXEC | (mode == Mode::create ? O_CREAT | O_TRUNC : 0), 0666)) {
+PlacedFile::PlacedFile(std::string path, Mode mode) : path_(std::move(path)) {
+  if (mode == Mode::create) ::unlink(path_.c_str());
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC | (mode == Mode::create ? O_CREAT | O_EXCL : 0), 0666);
   if (descriptor_ < 0) fail(path_, errno);
 }
 
@@ -49,6 +49,15 @@ void PlacedFile::lock() {
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   if (errno == EWOULDBLOCK) throw cannot_write(path_, "another process is writing it");
   if (errno != EOPNOTSUPP && errno != ENOLCK && errno != ENOSYS) fail(path_, errno);
+}
+
+void PlacedFile::check_in_place() const {
+  struct stat opened {
+  }, named{};
+  if (::fstat(descriptor_, &opened) != 0) fail(path_, errno);
+  const bool is_named = ::stat(path_.c_str(), &named) == 0;
+  if (is_named && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev) return;
+  throw cannot_write(path_, "it was removed or replaced while it was being written");
 }
 
 void PlacedFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {

@@ -14,7 +14,8 @@ class PlacedFile {
  public:
   enum class Mode { create, reuse };
 
-  /// Opens for reading and writing: a new, empty file (one of that name is emptied), or one that exists.
+  /// Opens for reading and writing: a new, empty file (one of that name is unlinked, so that nobody who has it open
+  /// writes to the new one), or one that exists.
   PlacedFile(std::string path, Mode mode);
   ~PlacedFile();
   PlacedFile(const PlacedFile&) = delete;
@@ -28,6 +29,9 @@ class PlacedFile {
 
   /// Refuses a file that another process has locked; held until the file is closed or the process ends.
   void lock();
+
+  /// @throws WriteError if the file was removed or replaced since it was opened: what is written is lost
+  void check_in_place() const;
 
   /// Reads all of the bytes. @throws WriteError also if the file ends before
   void read(std::uint64_t offset, std::span<std::byte> bytes) const;

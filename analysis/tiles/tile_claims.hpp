@@ -8,7 +8,7 @@
 
 namespace albedo::analysis {
 
-/// Hands out every tile of a table exactly once, to whoever asks next.
+/// Hands out every tile of a table exactly once, to whoever asks next, and counts what is done. Any thread may call it.
 class TileClaims {
  public:
   TileClaims() = default;
@@ -16,8 +16,14 @@ class TileClaims {
   TileClaims(const TileClaims&) = delete;
   TileClaims& operator=(const TileClaims&) = delete;
 
-  /// The next tile, or none if all are taken. Any thread may call it.
+  /// The next tile, or none if all are taken.
   [[nodiscard]] virtual std::optional<std::size_t> next() = 0;
+
+  /// From now on nobody gets a tile.
+  virtual void stop() = 0;
+
+  /// Adds to the entries that are done, and returns how many are.
+  virtual std::size_t add_done(std::size_t entries) = 0;
 };
 
 /// Claims among the threads of one process.
@@ -30,9 +36,13 @@ class LocalClaims : public TileClaims {
     return tile < count_ ? std::optional(tile) : std::nullopt;
   }
 
+  void stop() override { next_ = count_; }
+
+  std::size_t add_done(std::size_t entries) override { return done_ += entries; }
+
  private:
   std::size_t count_;
-  std::atomic<std::size_t> next_ = 0;
+  std::atomic<std::size_t> next_ = 0, done_ = 0;
 };
 
 }  // namespace albedo::analysis

@@ -78,8 +78,8 @@ void TileJournal::create(const std::string& path, const JournalHead& head) {
   file.commit();
 }
 
-TileJournal::TileJournal(const std::string& path) : file_(path, PlacedFile::Mode::reuse) {
-  file_.lock();
+TileJournal::TileJournal(const std::string& path, Access access) : file_(path, PlacedFile::Mode::reuse) {
+  if (access == Access::owned) file_.lock();
   head_ = read_head(file_);
   begin_ = file_.size() - head_.tiles * record_size;
 }
@@ -102,7 +102,11 @@ void TileJournal::record(std::size_t tile, const TileRecord& record) {
               tally.unconverged, tally.divergent, std::bit_cast<std::uint64_t>(tally.evaluations), 0};
   words[7] = checksum_of(words);
   file_.write(begin_ + tile * record_size, std::as_bytes(std::span(words)));
-  file_.synchronise();
+  using Clock = std::chrono::steady_clock;
+  const auto now = Clock::now().time_since_epoch().count();
+  auto before = synchronised_.load();
+  if (now - before < Clock::duration(std::chrono::seconds(1)).count()) return;
+  if (synchronised_.compare_exchange_strong(before, now)) file_.synchronise();
 }
 
 std::size_t TileJournal::count() const {

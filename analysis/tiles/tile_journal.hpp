@@ -2,6 +2,8 @@
 /// What is known of the finished tiles of an unfinished table.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -36,17 +38,24 @@ class TileJournal {
   /// Writes a journal without finished tiles; the file appears when it is whole.
   static void create(const std::string& path, const JournalHead& head);
 
-  /// Opens a journal and locks it.
-  /// @throws WriteError if it is no journal, is truncated, or is locked by another process
-  explicit TileJournal(const std::string& path);
+  /// Whether a journal is opened by the one process that answers for its table, or by one that works for that.
+  enum class Access { owned, shared };
+
+  /// Opens a journal; its owner locks it.
+  /// @throws WriteError if it is no journal, is truncated, or has another owner
+  TileJournal(const std::string& path, Access access);
 
   [[nodiscard]] const JournalHead& head() const { return head_; }
 
   /// The record of a tile, or none if it isn't finished (or was being recorded in a crash).
   [[nodiscard]] std::optional<TileRecord> find(std::size_t tile) const;
 
-  /// Records a tile that is on the disk; returns when the record is, too.
+  /// Records a tile that is on the disk. The end of this process doesn't harm the record; a power cut takes those of
+  /// the last second, or until synchronise().
   void record(std::size_t tile, const TileRecord& record);
+
+  /// Returns when the records are on the disk.
+  void synchronise() { file_.synchronise(); }
 
   /// How many tiles are recorded.
   [[nodiscard]] std::size_t count() const;
@@ -55,6 +64,7 @@ class TileJournal {
   PlacedFile file_;
   JournalHead head_;
   std::uint64_t begin_ = 0;  // of the records
+  std::atomic<std::chrono::steady_clock::rep> synchronised_ = 0;
 };
 
 /// What differs between two computations, in one line: "tolerance was 1e-06 and is 1e-08"; empty if nothing does.

@@ -3,7 +3,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cctype>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -50,27 +50,57 @@ Json describe(const std::vector<TableAxis>& axes) {
 
 }  // namespace
 
-TiledTable::TiledTable(const TableSource& source, std::vector<Axis> axes, const std::string& path,
-                       TilingOptions options)
-    : source_(source),
+std::size_t Entries::size() const {
+  return std::accumulate(axes.begin(), axes.end(), std::size_t{1},
+                         [](std::size_t count, const TableAxis& axis) { return count * axis.values.size(); });
+}
+
+Entries Entries::of(const TableSource& source) {
+  return {.axes = source.axes(), .threads = source.threads(), .make_worker = [&source] {
+            return [worker = TableSource::Worker(source)](std::size_t first, std::span<double> values) mutable {
+              return worker.fill(first, values);
+            };
+          }};
+}
+
+void FilledTiles::merge(const FilledTiles& other) {
+  tally.merge(other.tally);
+  computed += other.computed;
+  verified += other.verified;
+  damaged += other.damaged;
+}
+
+TiledTable::TiledTable(Entries entries, std::vector<Axis> axes, const std::string& path, TilingOptions options)
+    : entries_(std::move(entries)),
+      size_(entries_.size()),
       axes_(std::move(axes)),
       path_(path),
       target_(AtomicFile::target_of(path)),
       part_path_(target_ + ".part"),
       journal_path_(target_ + ".journal"),
       options_(std::move(options)),
-      tile_(options_.tile > 0 ? options_.tile : suitable_tile(source.size())),
+      tile_(options_.tile > 0 ? options_.tile : suitable_tile(size_)),
       header_(npy_header(axes_)) {
   Json computation = options_.computation;
-  computation["axes"] = describe(source.axes());
+  computation["axes"] = describe(entries_.axes);
   computation["tile"] = tile_;
   // As it will be read again: a name of a file may hold any byte, JSON may not.
   computation = Json::parse(computation.dump(-1, ' ', false, Json::error_handler_t::replace));
   const JournalHead head{options_.command, std::move(computation), tiles()};
-  if (!is_continued(head)) begin(head);
+  if (!options_.is_owner) {
+    join(head);
+  } else if (!is_continued(head)) {
+    begin(head);
+  }
 }
 
 TiledTable::~TiledTable() = default;
+
+/// Opens what the owner has opened before. Another node may have another version of this program.
+void TiledTable::join(const JournalHead& head) {
+  journal_ = std::make_unique<TileJournal>(journal_path_, TileJournal::Access::shared);
+  open_part(head);
+}
 
 /// Opens the unfinished table, if there is one in which any tile is finished.
 bool TiledTable::is_continued(const JournalHead& head) {
@@ -78,7 +108,7 @@ bool TiledTable::is_continued(const JournalHead& head) {
     if (!fs::exists(part_path_)) return false;
     throw cannot_write(path_, "'" + part_path_ + "' is in the way: it has no journal; remove it");
   }
-  journal_ = std::make_unique<TileJournal>(journal_path_);
+  journal_ = std::make_unique<TileJournal>(journal_path_, TileJournal::Access::owned);
   const std::size_t finished = fs::exists(part_path_) ? journal_->count() : 0;
   if (finished == 0) return false;
   if (!options_.resume) {
@@ -87,10 +117,16 @@ bool TiledTable::is_continued(const JournalHead& head) {
                                   " tiles of an unfinished table; continue with --resume, or remove it and '" +
                                   journal_path_ + "'");
   }
+  open_part(head);
+  return true;
+}
+
+/// Opens the entries, if the journal and they are those of this computation.
+void TiledTable::open_part(const JournalHead& head) {
   const std::string differs = difference(journal_->head().computation, head.computation);
   if (!differs.empty()) throw ParameterError("--resume: '" + part_path_ + "' is of another table: " + differs);
   part_ = std::make_unique<PlacedFile>(part_path_, PlacedFile::Mode::reuse);
-  const std::uint64_t size = header_.size() + source_.size() * sizeof(double);
+  const std::uint64_t size = header_.size() + size_ * sizeof(double);
   if (part_->size() != size) {
     throw cannot_write(part_path_, "it is truncated or foreign: it has " + std::to_string(part_->size()) +
                                        " bytes, not " + std::to_string(size));
@@ -98,16 +134,15 @@ bool TiledTable::is_continued(const JournalHead& head) {
   std::string header(header_.size(), '\0');
   part_->read(0, std::as_writable_bytes(std::span(header)));
   if (header != header_) throw cannot_write(part_path_, "it is damaged: its header is not that of the table");
-  return true;
 }
 
 /// The journal first: a .part without one is never ours.
 void TiledTable::begin(const JournalHead& head) {
   TileJournal::create(journal_path_, head);
-  journal_ = std::make_unique<TileJournal>(journal_path_);
+  journal_ = std::make_unique<TileJournal>(journal_path_, TileJournal::Access::owned);
   try {
     part_ = std::make_unique<PlacedFile>(part_path_, PlacedFile::Mode::create);
-    part_->reserve(header_.size() + source_.size() * sizeof(double));
+    part_->reserve(header_.size() + size_ * sizeof(double));
     part_->write(0, std::as_bytes(std::span(header_)));
     part_->synchronise();
     synchronise_directory_of(part_path_);
@@ -126,37 +161,33 @@ void TiledTable::discard() {
 /// What one thread fills tiles with.
 class TiledTable::Filling {
  public:
-  explicit Filling(TiledTable& table) : table_(table), worker_(table.source_) {}
+  explicit Filling(TiledTable& table) : table_(table), worker_(table.entries_.make_worker()) {}
 
   /// Returns the number of entries.
   std::size_t fill(std::size_t tile) {
     const std::size_t first = tile * table_.tile_;
-    values_.resize(std::min(table_.tile_, table_.source_.size() - first));
+    values_.resize(std::min(table_.tile_, table_.size_ - first));
     const std::uint64_t place = table_.header_.size() + first * sizeof(double);
     if (const auto record = table_.journal_->find(tile)) {
       table_.part_->read(place, std::as_writable_bytes(std::span(values_)));
       if (checksum(std::as_bytes(std::span(values_))) == record->checksum) {
-        tally_.merge(record->tally);
-        ++verified_;
+        filled_.merge({.tally = record->tally, .verified = 1});
         return values_.size();
       }
-      ++damaged_;
+      ++filled_.damaged;
     }
-    const TableTally tally = worker_.fill(first, values_);
+    const TableTally tally = worker_(first, values_);
     check(first);
     const auto bytes = std::as_bytes(std::span(std::as_const(values_)));
     table_.part_->write(place, bytes);
     table_.part_->synchronise();
+    table_.part_->check_in_place();
     table_.journal_->record(tile, {.checksum = checksum(bytes), .tally = tally});
-    tally_.merge(tally);
+    filled_.merge({.tally = tally, .computed = 1});
     return values_.size();
   }
 
-  void merge_into_table() const {
-    table_.tally_.merge(tally_);
-    table_.verified_ += verified_;
-    table_.damaged_ += damaged_;
-  }
+  [[nodiscard]] const FilledTiles& filled() const { return filled_; }
 
  private:
   void check(std::size_t first) const {
@@ -169,34 +200,31 @@ class TiledTable::Filling {
   }
 
   TiledTable& table_;
-  TableSource::Worker worker_;
+  Entries::Worker worker_;
   std::vector<double> values_;
-  TableTally tally_{};
-  std::size_t verified_ = 0, damaged_ = 0;
+  FilledTiles filled_;
 };
 
-void TiledTable::fill(TileClaims& claims) {
+FilledTiles TiledTable::fill(TileClaims& claims) {
+  FilledTiles whole;
   std::exception_ptr thrown;
-  std::atomic<bool> failed = false;
-  std::atomic<std::size_t> done = 0;
-#pragma omp parallel num_threads(source_.threads())
+#pragma omp parallel num_threads(entries_.threads)
   {
-    Filling filling(*this);
     try {
-      while (!failed) {
-        const std::optional<std::size_t> tile = claims.next();
-        if (!tile) break;
-        const std::size_t now = done += filling.fill(*tile);
-        if (options_.progress && omp_get_thread_num() == 0) options_.progress(now, source_.size());
-      }
+      Filling filling(*this);
+      while (const std::optional<std::size_t> tile = claims.next()) claims.add_done(filling.fill(*tile));
+#pragma omp critical(albedo_tiles)
+      whole.merge(filling.filled());
     } catch (...) {
+      claims.stop();
 #pragma omp critical(albedo_tiles)
-      if (!failed.exchange(true)) thrown = std::current_exception();
+      if (!thrown) thrown = std::current_exception();
     }
-#pragma omp critical(albedo_tiles)
-    filling.merge_into_table();
   }
-  if (!thrown) return;
+  if (!thrown) {
+    journal_->synchronise();
+    return whole;
+  }
   try {
     std::rethrow_exception(thrown);
   } catch (const ImpossibleEntry&) {
@@ -208,6 +236,8 @@ void TiledTable::fill(TileClaims& claims) {
   }
 }
 
+void TiledTable::reopen() { part_ = std::make_unique<PlacedFile>(part_path_, PlacedFile::Mode::reuse); }
+
 double TiledTable::value(std::size_t entry) const {
   double result = 0;
   part_->read(header_.size() + entry * sizeof(double), std::as_writable_bytes(std::span(&result, 1)));
@@ -215,6 +245,7 @@ double TiledTable::value(std::size_t entry) const {
 }
 
 void TiledTable::commit(const TableDocument& description) {
+  part_->check_in_place();
   AtomicFile sidecar(sidecar_path(path_));
   write_json_description(description, sidecar.stream());
   sidecar.finish();

@@ -165,7 +165,8 @@ double at_centre(const std::vector<TableAxis>& axes, const std::function<double(
 
 }  // namespace
 
-/// Corrected models, which are worth keeping, by the values of the parameters that vary. Whoever comes first makes one.
+/// Corrected models, which are worth keeping, by the values of the parameters that vary: those that were used last.
+/// Whoever comes first makes one.
 class TableSource::CorrectedModels {
  public:
   using Shared = std::shared_ptr<const Model>;
@@ -175,8 +176,11 @@ class TableSource::CorrectedModels {
     std::promise<Shared> promise;
     std::unique_lock lock(mutex_);
     const auto [found, is_new] = models_.try_emplace(place);
-    if (is_new) found->second = promise.get_future().share();
-    const std::shared_future<Shared> result = found->second;
+    if (is_new) found->second.model = promise.get_future().share();
+    found->second.last_use = ++uses_;
+    const std::shared_future<Shared> result = found->second.model;
+    if (models_.size() > most)
+      models_.erase(std::ranges::min_element(models_, {}, [](const auto& item) { return item.second.last_use; }));
     lock.unlock();
     if (is_new) {
       try {
@@ -189,8 +193,16 @@ class TableSource::CorrectedModels {
   }
 
  private:
+  static constexpr std::size_t most = 256;  // some 100 kB each
+
+  struct Kept {
+    std::shared_future<Shared> model;
+    std::size_t last_use = 0;
+  };
+
   std::mutex mutex_;
-  std::map<std::vector<double>, std::shared_future<Shared>> models_;
+  std::map<std::vector<double>, Kept> models_;
+  std::size_t uses_ = 0;
 };
 
 TableSource::TableSource(std::string model, Parameters fixed, std::vector<TableAxis> axes, TableOptions options)
@@ -297,7 +309,10 @@ void TableTally::add(std::size_t entry, const Estimate& estimate) {
 }
 
 void TableTally::merge(const TableTally& other) {
-  if (other.worst_error > worst_error || (other.worst_error == worst_error && other.worst_entry < worst_entry)) {
+  // NaN is worse than any number.
+  const auto rank = [](double error) { return std::isnan(error) ? std::numeric_limits<double>::infinity() : error; };
+  const double ours = rank(worst_error), theirs = rank(other.worst_error);
+  if (theirs > ours || (theirs == ours && other.worst_entry < worst_entry)) {
     worst_error = other.worst_error;
     worst_entry = other.worst_entry;
   }

@@ -39,7 +39,7 @@ class TiledTableTest : public OutputDirectory {
   /// A table of 8 tiles of which some are finished.
   void interrupted(std::size_t finished) const {
     const TableSource source = ggx(1);
-    TiledTable table(source, document_axes(), path("t.npy"), options(false));
+    TiledTable table(Entries::of(source), document_axes(), path("t.npy"), options(false));
     LocalClaims claims(finished);  // as if the process then ended
     table.fill(claims);
   }
@@ -51,24 +51,20 @@ class TiledTableTest : public OutputDirectory {
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
 
-  struct Resumed {
-    std::size_t verified, damaged;
-    TableTally tally;
-  };
-  [[nodiscard]] Resumed resumed(int threads) const {
+  [[nodiscard]] FilledTiles resumed(int threads) const {
     const TableSource source = ggx(threads);
-    TiledTable table(source, document_axes(), path("t.npy"), options(true));
+    TiledTable table(Entries::of(source), document_axes(), path("t.npy"), options(true));
     LocalClaims claims(table.tiles());
-    table.fill(claims);
+    const FilledTiles filled = table.fill(claims);
     table.commit({.axes = document_axes()});
-    return {table.verified(), table.damaged(), table.tally()};
+    return filled;
   }
 
   template <class Exception>
   [[nodiscard]] std::string refusal(bool resume, double tolerance = 1e-6) const {
     const TableSource source = ggx(1);
     return message_of<Exception>(
-        [&] { TiledTable(source, document_axes(), path("t.npy"), options(resume, tolerance)); });
+        [&] { TiledTable(Entries::of(source), document_axes(), path("t.npy"), options(resume, tolerance)); });
   }
 };
 
@@ -88,19 +84,24 @@ TEST(LocalClaims, HandOutEveryTileOnce) {
   }
   EXPECT_EQ(claimed, std::vector<int>(count, 1));
   EXPECT_EQ(claims.next(), std::nullopt);
+  LocalClaims stopped(count);
+  stopped.stop();
+  EXPECT_EQ(stopped.next(), std::nullopt);
 }
 
 TEST_F(TiledTableTest, HasTheBytesAndTheTallyOfAnAlbedoTable) {
   const AlbedoTable table("ggx", {}, two_axes, {.albedo = {.tolerance = 1e-6}, .verified_cells = 4});
   for (const int threads : {1, 3}) {
     const TableSource source = ggx(threads);
-    TiledTable tiled(source, document_axes(), path("t.npy"), options(false));
+    TiledTable tiled(Entries::of(source), document_axes(), path("t.npy"), options(false));
     EXPECT_EQ(tiled.tiles(), 8U);
     EXPECT_EQ(names(), (std::vector<std::string>{"t.npy.journal", "t.npy.part"}));
     LocalClaims claims(tiled.tiles());
-    tiled.fill(claims);
-    EXPECT_EQ(tiled.tally().worst_error, table.worst_error());
-    EXPECT_EQ(tiled.tally().worst_entry, table.worst_entry());
+    const FilledTiles filled = tiled.fill(claims);
+    EXPECT_EQ(filled.computed, 8U);
+    EXPECT_EQ(claims.add_done(0), source.size());
+    EXPECT_EQ(filled.tally.worst_error, table.worst_error());
+    EXPECT_EQ(filled.tally.worst_entry, table.worst_entry());
     EXPECT_EQ(source.interpolation([&](std::size_t i) { return tiled.value(i); }).error, table.interpolation_error());
     tiled.commit({.axes = document_axes()});
     EXPECT_EQ(names(), (std::vector<std::string>{"t.json", "t.npy"}));
@@ -113,8 +114,9 @@ TEST_F(TiledTableTest, HasTheBytesAndTheTallyOfAnAlbedoTable) {
 TEST_F(TiledTableTest, ContinuesWithOtherThreadsAndComputesNothingTwice) {
   for (const std::size_t finished : {1U, 5U, 8U}) {
     interrupted(finished);
-    const Resumed result = resumed(3);
+    const FilledTiles result = resumed(3);
     EXPECT_EQ(result.verified, finished);
+    EXPECT_EQ(result.computed, 8 - finished);
     EXPECT_EQ(result.damaged, 0U);
     EXPECT_EQ(read(path("t.npy")), expected());
     const AlbedoTable table("ggx", {}, two_axes, {.albedo = {.tolerance = 1e-6}, .verified_cells = 0});
@@ -129,7 +131,7 @@ TEST_F(TiledTableTest, ComputesDamagedTilesAgain) {
   interrupted(8);
   flip_byte("t.npy.part", 1);          // an entry of the last tile
   flip_byte("t.npy.journal", 64 + 1);  // the record of the one before
-  const Resumed result = resumed(2);
+  const FilledTiles result = resumed(2);
   EXPECT_EQ(result.verified, 6U);
   EXPECT_EQ(result.damaged, 1U);  // what has no valid record isn't finished
   EXPECT_EQ(read(path("t.npy")), expected());
@@ -141,7 +143,7 @@ TEST_F(TiledTableTest, RefusesWhatIsNotItsOwn) {
   EXPECT_TRUE(contains(refusal<ParameterError>(true, 1e-7), "is of another table: tolerance was 1e-06 and is 1e-07"));
   {
     const TableSource source = ggx(1);
-    const TiledTable other(source, document_axes(), path("t.npy"), options(true));
+    const TiledTable other(Entries::of(source), document_axes(), path("t.npy"), options(true));
     EXPECT_TRUE(contains(refusal<WriteError>(true), "another process is writing it"));
   }
   fs::resize_file(path("t.npy.part"), fs::file_size(path("t.npy.part")) - 1);
@@ -173,6 +175,37 @@ TEST_F(TiledTableTest, BeginsAnewWhereNothingIsFinished) {
   EXPECT_EQ(read(path("t.npy")), expected());
 }
 
+TEST_F(TiledTableTest, OthersFillWhatTheOwnerHasBegun) {
+  const TableSource source = ggx(2);
+  TilingOptions for_others = options(false);
+  for_others.is_owner = false;
+  const auto open = [&](TilingOptions with) {
+    return std::make_unique<TiledTable>(Entries::of(source), document_axes(), path("t.npy"), std::move(with));
+  };
+  EXPECT_TRUE(contains(message_of<WriteError>([&] { open(for_others); }), "No such file"));
+  const auto owner = open(options(false)), other = open(for_others);
+  for_others.computation["tolerance"] = 1e-7;
+  EXPECT_TRUE(contains(message_of<ParameterError>([&] { open(for_others); }), "tolerance was 1e-06 and is 1e-07"));
+  LocalClaims claims(owner->tiles());
+  FilledTiles filled = other->fill(claims);
+  filled.merge(owner->fill(claims));  // nothing is left for it
+  EXPECT_EQ(filled.computed, 8U);
+  owner->reopen();
+  owner->commit({.axes = document_axes()});
+  EXPECT_EQ(read(path("t.npy")), expected());
+}
+
+TEST_F(TiledTableTest, AVanishedFileIsSaidAtTheNextTile) {
+  const TableSource source = ggx(1);
+  TiledTable table(Entries::of(source), document_axes(), path("t.npy"), options(false));
+  fs::remove(path("t.npy.part"));
+  LocalClaims claims(table.tiles());
+  EXPECT_TRUE(contains(message_of<WriteError>([&] { table.fill(claims); }), "it was removed or replaced"));
+  EXPECT_EQ(claims.next(), std::nullopt);
+  EXPECT_TRUE(
+      contains(message_of<WriteError>([&] { table.commit({.axes = document_axes()}); }), "removed or replaced"));
+}
+
 TEST_F(TiledTableTest, AFullDiskIsSaidBeforeTheWorkAndLeavesNothing) {
   const auto attempt = [&] {
     limit_file_size();
@@ -181,7 +214,7 @@ TEST_F(TiledTableTest, AFullDiskIsSaidBeforeTheWorkAndLeavesNothing) {
       const TableSource source("lambert", {}, {axis});
       TilingOptions few = options(false);
       few.tile = 1000;  // so that the journal finds room
-      TiledTable(source, {{.name = axis.name, .values = axis.values}}, path("t.npy"), few);
+      TiledTable(Entries::of(source), {{.name = axis.name, .values = axis.values}}, path("t.npy"), few);
     });
   };
   EXPECT_EXIT(attempt(), testing::ExitedWithCode(4), "");
