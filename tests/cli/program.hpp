@@ -21,17 +21,30 @@ struct Outcome {
 /// Runs `albedo` with these arguments; standard output goes to the file `out` if one is given.
 Outcome run_albedo(const std::vector<std::string>& arguments, const std::string& out = "");
 
-/// A run of `albedo` that nobody waits for, and whose output nobody reads. It is killed with its owner.
+/// Runs `albedo` with these arguments as several ranks; the launcher adds its own complaints to `err`.
+Outcome run_ranks(int ranks, const std::vector<std::string>& arguments);
+
+/// Whether the program was built with MPI, and a launcher found.
+bool has_mpi();
+
+/// A run of `albedo` that nobody waits for; its standard error goes to the file `err`. It is killed with its owner.
 class RunningAlbedo {
  public:
-  explicit RunningAlbedo(const std::vector<std::string>& arguments);
+  explicit RunningAlbedo(const std::vector<std::string>& arguments, const std::string& err = "/dev/null");
+  /// Several ranks, and their launcher, to which the signals go.
+  RunningAlbedo(int ranks, const std::vector<std::string>& arguments);
   ~RunningAlbedo() { kill(SIGKILL); }
   RunningAlbedo(const RunningAlbedo&) = delete;
   RunningAlbedo& operator=(const RunningAlbedo&) = delete;
 
   [[nodiscard]] bool has_ended();
+  /// Waits for the end.
+  void wait();
   /// Sends a signal, if the run hasn't ended, and waits for its end.
   void kill(int signal);
+
+  /// The processes that a launcher has started.
+  [[nodiscard]] std::vector<pid_t> ranks() const;
 
  private:
   pid_t child_;

@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
+#include "cli/journal_of.hpp"
 #include "cli/program.hpp"
 
 namespace albedo::test {
@@ -20,23 +20,11 @@ std::vector<std::string> table(const std::string& threads, const std::vector<std
   return words;
 }
 
-/// The finished tiles of the unfinished table: records that aren't empty.
-std::size_t finished() {
-  if (!std::filesystem::exists("t.npy.journal") || !std::filesystem::exists("t.npy.part")) return 0;
-  const std::string journal = read_text("t.npy.journal");
-  std::size_t count = 0;
-  for (std::size_t tile = 0; tile < tiles; ++tile) {
-    const std::string record = journal.substr(journal.size() - 64 * (tile + 1), 64);
-    if (std::ranges::any_of(record, [](char c) { return c != 0; })) ++count;
-  }
-  return count;
-}
-
 /// Starts a run and ends it by a signal at a random moment after another tile is finished.
 void interrupt(const std::vector<std::string>& arguments, int signal, std::mt19937& random) {
-  const std::size_t before = finished();
+  const std::size_t before = finished(tiles);
   RunningAlbedo run(arguments);
-  while (finished() == before && !run.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (finished(tiles) == before && !run.has_ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   std::this_thread::sleep_for(std::chrono::microseconds(random() % 20'000));
   run.kill(signal);
 }
@@ -49,12 +37,12 @@ TEST_F(CliTest, AnInterruptedTableIsContinuedBitForBit) {
   std::filesystem::remove("t.json");
 
   std::mt19937 random(8);
-  for (int attempt = 0; attempt < 20 && finished() == 0; ++attempt) {  // on a busy machine the kill may be late
+  for (int attempt = 0; attempt < 20 && finished(tiles) == 0; ++attempt) {  // on a busy machine the kill may be late
     std::filesystem::remove("t.npy");
     std::filesystem::remove("t.json");
     interrupt(table("1"), SIGKILL, random);
   }
-  ASSERT_GT(finished(), 0U);
+  ASSERT_GT(finished(tiles), 0U);
   EXPECT_EQ(files(), (std::vector<std::string>{"t.npy.journal", "t.npy.part"}));
   const Outcome anew = run_albedo(table("1"));
   EXPECT_EQ(anew.code, 4);
@@ -64,10 +52,10 @@ TEST_F(CliTest, AnInterruptedTableIsContinuedBitForBit) {
   EXPECT_NE(other.err.find("tolerance was 1e-08 and is 1e-07"), std::string::npos) << other.err;
 
   for (const int signal : {SIGTERM, SIGKILL, SIGKILL, SIGINT, SIGKILL}) {
-    const std::size_t before = finished();
+    const std::size_t before = finished(tiles);
     interrupt(table(std::to_string(1 + random() % 3), {"--resume"}), signal, random);
-    if (finished() == 0) break;  // it was whole
-    EXPECT_GE(finished(), before);
+    if (finished(tiles) == 0) break;  // it was whole
+    EXPECT_GE(finished(tiles), before);
   }
   const Outcome last = run_albedo(table("2", {"--resume"}));
   EXPECT_EQ(last.code, 0) << last.err;
