@@ -208,6 +208,8 @@ Command add_table(CLI::App& program) {
   app->add_flag("--errors", arguments->errors, "keep the error of every entry too");
   app->add_flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
   app->add_flag("--resume", arguments->resume, "continue an unfinished .npy of the same command, if there is one");
+  add_integer(*app, "--tile", arguments->tile, 1, 1 << 24,
+              "entries of a .npy that are computed, written and recorded at once");
   app->add_option("--log", arguments->log,
                   "append a line every 30 s to it while a .npy is filled: done, rate, time left")
       ->type_name("FILE");

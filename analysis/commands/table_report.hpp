@@ -32,6 +32,7 @@ struct TableArguments {
   bool summary = false, errors = false, resume = false;
   Fill fill = Fill::direct;
   int verified = 1000;                 ///< random places at which a proxy is compared with integrations
+  int tile = 0;                        ///< entries of a tile of a .npy; 0: as many as suit it
   TableGrowth growth{.max_error = 0};  ///< 0: the table doesn't grow
   std::vector<Assertion> assertions;
 };

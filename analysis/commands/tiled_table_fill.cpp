@@ -60,6 +60,7 @@ bool is_tiled(const TableArguments& arguments, bool by_channel) {
   };
   if (arguments.resume) refuse("--resume continues");
   if (!arguments.log.empty()) refuse("--log is of");
+  if (arguments.tile > 0) refuse("--tile is of");
   if (const Launch started = launch(); started.size > 1) {
     refuse("the " + std::to_string(started.size) + " processes of " + started.variable + " can only share");
   }
@@ -77,7 +78,8 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
                   TilingOptions{.command = provenance["command"].get<std::string>(),
                                 .computation = computation_of(arguments, request, provenance),
                                 .resume = arguments.resume,
-                                .is_owner = ranks->is_first()});
+                                .is_owner = ranks->is_first(),
+                                .tile = static_cast<std::size_t>(arguments.tile)});
   };
   ranks->together([&] {
     if (ranks->is_first()) open();
@@ -89,19 +91,17 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
   if (ranks->is_first())
     notice.emplace("interrupted; the same command with --resume continues '" + arguments.output + "'");
 
-  FilledTiles filled;
+  const std::unique_ptr<TileClaims> claims = ranks->claims(table->tiles());
   std::optional<FillProgress> progress;
-  {
-    const std::unique_ptr<TileClaims> claims = ranks->claims(table->tiles());
-    ranks->together([&] {
-      if (!ranks->is_first()) return;
-      progress.emplace(*claims, source->size(), arguments.log);
-      progress->note("begins: " + provenance["command"].get<std::string>() + " (" + std::to_string(ranks->size()) +
-                     " processes of " + std::to_string(source->threads()) + " threads)");
-    });
-    ranks->together([&] { filled = table->fill(*claims); });
-    if (progress) progress->stop();
-  }
+  FilledTiles filled;
+  ranks->together([&] {
+    if (!ranks->is_first()) return;
+    progress.emplace(*claims, source->size(), arguments.log);
+    progress->note("begins: " + provenance["command"].get<std::string>() + " (" + std::to_string(ranks->size()) +
+                   " processes of " + std::to_string(source->threads()) + " threads)");
+  });
+  ranks->together([&] { filled = table->fill(*claims); });
+  if (progress) progress->stop();
   filled = merged(*ranks, filled);
 
   int code = exit_code::done;
