@@ -20,6 +20,7 @@ Json describe(Json object, const RationalOptions& options, const RationalFit& fi
   object["coefficients"] = fit.form.coefficients();
   object["relative_error"] = fit.error;
   object["relative_error_in_float"] = fit.float_error;
+  object["least_error"] = fit.least;
   object["worst_theta_deg"] = fit.worst_theta;
   object["fitted_directions"] = fit.fitted;
   object["verified_directions"] = fit.verified;

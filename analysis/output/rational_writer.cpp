@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/text.hpp"
@@ -56,15 +57,67 @@ std::string product(const RealFactors& factors, const Language& language, std::s
   return terms.empty() ? language.number(1) : joined(terms, "\n      * ");
 }
 
+/// x of cos_theta, and before it what it needs.
+std::string variable_text(const RationalForm& form, const Language& language, const std::string& type) {
+  const auto root = [&](const std::string& of) { return language.square_root + "(" + of + ")"; };
+  const std::string c = "cos_theta", one = language.number(1),
+                    sine2 = "(" + one + " - " + c + ") * (" + one + " + " + c + ")";
+  std::string x;
+  switch (form.variable) {
+    case RationalVariable::cosine:
+      x = c;
+      break;
+    case RationalVariable::square_root:
+      x = root(c);
+      break;
+    case RationalVariable::fourth_root:
+      x = root(root(c));
+      break;
+    case RationalVariable::half_elevation:
+      x = c + " / (" + one + " + " + root(sine2) + ")";
+      break;
+    case RationalVariable::cotangent:
+      x = c + " / (" + c + " + " + root(sine2) + ")";
+      break;
+    case RationalVariable::shifted_root:
+      x = root(c + " + " + language.number(form.shift));
+      break;
+    case RationalVariable::scaled_slope:
+      x = c + " / " + root(c + " * " + c + " + " + language.number(form.shift) + " * (" + sine2 + ")");
+      break;
+  }
+  return "  " + type + " x = " + x + ";\n";
+}
+
 std::string function_text(const RationalForm& form, const Language& language, const std::string& type,
                           const std::string& head) {
-  std::string x = "cos_theta";
-  for (int root = form.root; root > 1; root /= 2) x = language.square_root + "(" + x + ")";
+  const std::string& root = language.square_root;
   std::string result = "p / q";
-  for (int i = 0; i < std::abs(form.power); ++i) result += form.power > 0 ? " * x" : " / x";
-  return head + " {\n  " + type + " x = " + x + ";\n  " + type +
+  for (int exponent = form.exponent; exponent > 1; exponent /= 2) result = root + "(" + result + ")";
+  for (int i = 0; i < std::abs(form.power); ++i) result += (form.power > 0 ? " * " : " / ") + root + "(cos_theta)";
+  return head + " {\n" + variable_text(form, language, type) + "  " + type +
          " p = " + product(form.p, language, language.number(form.gain)) + ";\n  " + type +
          " q = " + product(form.q, language, "") + ";\n  return " + result + ";\n}\n";
+}
+
+std::string_view name_of(RationalVariable variable) {
+  switch (variable) {
+    case RationalVariable::cosine:
+      return "c";
+    case RationalVariable::square_root:
+      return "c^(1/2)";
+    case RationalVariable::fourth_root:
+      return "c^(1/4)";
+    case RationalVariable::half_elevation:
+      return "c/(1+s)";
+    case RationalVariable::cotangent:
+      return "c/(c+s)";
+    case RationalVariable::shifted_root:
+      return "(c+d)^(1/2)";
+    case RationalVariable::scaled_slope:
+      return "c/(c^2+d*s^2)^(1/2)";
+  }
+  return "";
 }
 
 std::string comments(const Json& provenance) {
@@ -82,7 +135,9 @@ Json pairs_json(const std::vector<RealFactors::Pair>& pairs) {
 }  // namespace
 
 Json rational_json(const RationalForm& form) {
-  return {{"root", form.root},
+  return {{"variable", name_of(form.variable)},
+          {"d", form.shift},
+          {"exponent", form.exponent},
           {"power", form.power},
           {"gain", form.gain},
           {"zeros", form.p.roots},

@@ -5,11 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "analysis/studies/rational_form.hpp"
+#include "analysis/studies/rational_function.hpp"
 
 namespace albedo::analysis {
 
-/// {"root", "power", "gain", "zeros", "zero_pairs", "poles", "pole_pairs"}; a pair is [u, v²].
+/// {"variable", "d", "exponent", "power", "gain", "zeros", "zero_pairs", "poles", "pole_pairs"}: the variable x is a
+/// formula of c = cosθ, s = sinθ and d, a pair is [u, v²], and the value is c^(power/2) (gain P(x)/Q(x))^(1/exponent).
 nlohmann::ordered_json rational_json(const RationalForm& form);
 
 /// A function template `T NAME(T cos_theta)`, with one line of comment for each item of the provenance.

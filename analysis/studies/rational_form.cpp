@@ -1,8 +1,7 @@
 #include "analysis/studies/rational_form.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <complex>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -10,13 +9,12 @@
 #include "albedo/core/errors.hpp"
 #include "albedo/curve.hpp"
 #include "analysis/studies/parallel.hpp"
+#include "analysis/studies/rational_trial.hpp"
 
 namespace albedo::analysis {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int fitted_places = 320, verified_places = 400;
-constexpr double golden = 0.6180339887498949;
 
 struct Place {
   double cos_theta;
@@ -25,25 +23,41 @@ struct Place {
 
 double theta_degrees(double cos_theta) { return Direction::from_cosine(cos_theta).theta_degrees(); }
 
-/// Half of the places evenly over θ, half over ln cosθ; `shift` within (0, 1) moves them between their neighbours.
-std::vector<Place> places(int count, double last_theta, double shift, bool has_ends) {
+void sort(std::vector<Place>& list) {
+  std::ranges::sort(list, {}, &Place::cos_theta);
+  const auto same = std::ranges::unique(list, {}, &Place::cos_theta);
+  list.erase(same.begin(), same.end());
+}
+
+/// Evenly over θ, over ln cosθ towards grazing incidence and over ln θ towards normal incidence, and crowded at the
+/// ends, as nothing holds a fit from beyond them.
+std::vector<Place> fitted_places(double last_theta) {
+  constexpr int over_theta = 200, over_decades = 240, towards_normal = 80;
   const double last = Direction::from_degrees(last_theta).cos_theta;
+  std::vector<Place> result{{1}, {last}};
+  for (int i = 0; i < over_theta; ++i) {
+    result.push_back({Direction::from_degrees(last_theta * (i + 0.5) / over_theta).cos_theta});
+  }
+  for (int i = 0; i < over_decades; ++i) result.push_back({std::pow(last, (i + 0.5) / over_decades)});
+  for (int i = 0; i < towards_normal; ++i) {
+    result.push_back({Direction::from_degrees(last_theta * std::pow(1e-3, (i + 0.5) / towards_normal)).cos_theta});
+  }
+  for (double distance = 1e-3; distance > 1e-6; distance /= 3) {
+    result.push_back({std::pow(last, distance)});
+    result.push_back({std::pow(last, 1 - distance)});
+  }
+  sort(result);
+  return result;
+}
+
+/// A direction within each gap, at this part of it in ln cosθ.
+std::vector<Place> places_between(const std::vector<Place>& list, double part) {
   std::vector<Place> result;
-  const int half = count / 2;
-  for (int i = 0; i < half; ++i) {
-    const double along = (i + shift) / half;
-    result.push_back({Direction::from_degrees(last_theta * along).cos_theta});
-    result.push_back({std::pow(last, along)});
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const double from = list[i - 1].cos_theta, to = list[i].cos_theta;
+    const double between = from * std::pow(to / from, part);
+    if (between > from && between < to) result.push_back({between});
   }
-  if (has_ends) {  // nothing holds a fit from beyond its ends: places crowd there as Chebyshev's do
-    result.push_back({1});
-    result.push_back({last});
-    for (double distance = 0.5 / half; distance > 1e-5; distance /= 3) {
-      result.push_back({std::pow(last, distance)});
-      result.push_back({std::pow(last, 1 - distance)});
-    }
-  }
-  std::ranges::sort(result, {}, &Place::cos_theta);
   return result;
 }
 
@@ -57,177 +71,130 @@ void integrate(const Model& model, const RationalOptions& options, std::vector<P
   for (const Place& place : list) {
     fit.evaluations += place.albedo.evaluations;
     if (place.albedo.status != Status::converged && fit.status != Status::non_finite) fit.status = place.albedo.status;
+    fit.smallest = std::min(fit.smallest, place.albedo.value);
+    fit.largest = std::max(fit.largest, std::abs(place.albedo.value));
   }
 }
 
-/// What errors are relative to, at each place.
+/// What errors are relative to.
 double scale_of(double albedo, double largest) {
   const double least = AlbedoCurve::relative_floor * largest;
   return largest == 0 ? 1 : std::max(std::abs(albedo), least);
 }
 
-/// The problem of one variable: P/Q ≈ f at t = (x − b)/(x + b), errors relative to s. A Möbius map leaves the rational
-/// functions of one degree what they are, but spreads the decades of x towards grazing incidence evenly over t.
-struct Problem {
-  RationalForm form;  ///< without factors
-  Eigen::VectorXd t, f, s;
-  double b, reach;            ///< t is within [−reach, reach]
-  double least_x, largest_x;  ///< of the interval
-};
-
-Problem problem_of(const std::vector<Place>& list, double largest, int root, int power) {
-  Problem problem;
-  problem.form.root = root, problem.form.power = power;
-  const auto x_of = [root](double c) { return root == 1 ? c : root == 2 ? std::sqrt(c) : std::sqrt(std::sqrt(c)); };
-  problem.least_x = x_of(list.front().cos_theta), problem.largest_x = x_of(list.back().cos_theta);
-  problem.b = std::sqrt(problem.least_x * problem.largest_x);
-  const auto count = static_cast<Eigen::Index>(list.size());
-  problem.t.resize(count), problem.f.resize(count), problem.s.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Place& place = list[static_cast<std::size_t>(i)];
-    const double x = x_of(place.cos_theta), leading = std::pow(x, power);
-    problem.t[i] = (x - problem.b) / (x + problem.b);
-    problem.f[i] = place.albedo.value / leading;
-    problem.s[i] = scale_of(place.albedo.value, largest) / leading;
-  }
-  problem.reach = problem.t.cwiseAbs().maxCoeff();
-  return problem;
-}
-
-/// Chebyshev polynomials T_0 … T_degree at u, one row for each.
-Eigen::MatrixXd chebyshev(const Eigen::VectorXd& u, int degree) {
-  Eigen::MatrixXd basis(u.size(), degree + 1);
-  basis.col(0).setOnes();
-  if (degree > 0) basis.col(1) = u;
-  for (int k = 2; k <= degree; ++k) {
-    basis.col(k) = 2 * u.cwiseProduct(basis.col(k - 1)) - basis.col(k - 2);
-  }
-  return basis;
-}
-
-/// Zeros of Σ c_k T_k(t/reach) in x, t = (x − b)/(x + b): eigenvalues of the colleague matrix   [Good 1961].
-RealFactors factors_of(const Eigen::VectorXd& c, const Problem& problem) {
-  constexpr double negligible = 1e-15;
-  RealFactors factors;
-  Eigen::Index n = c.size() - 1;
-  for (; n > 0 && std::abs(c[n]) <= negligible * c.cwiseAbs().maxCoeff(); --n) {
-    factors.roots.push_back(-problem.b);  // where t is infinite
-  }
-  if (n == 0) return factors;
-  using Real = long double;  // a double's rounding would move zeros that the coefficients hold better
-  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> colleague(n, n);
-  colleague.setZero();
-  for (Eigen::Index k = 0; k + 1 < n; ++k) {
-    colleague(k, k + 1) = k == 0 ? 1 : 0.5L;
-    colleague(k + 1, k) = 0.5L;
-  }
-  const Real leading = (n == 1 ? 1 : 2) * static_cast<Real>(c[n]);
-  for (Eigen::Index k = 0; k < n; ++k) colleague(n - 1, k) -= static_cast<Real>(c[k]) / leading;
-  const auto eigenvalues = colleague.eigenvalues().eval();
-  for (const std::complex<Real>& u : eigenvalues) {
-    const std::complex<Real> t = u * static_cast<Real>(problem.reach),
-                             z = static_cast<Real>(problem.b) * (Real(1) + t) / (Real(1) - t);
-    const std::complex<double> x(static_cast<double>(z.real()), static_cast<double>(z.imag()));
-    if (u.imag() == 0) {
-      factors.roots.push_back(x.real());
-    } else if (u.imag() > 0) {
-      factors.pairs.push_back({x.real(), x.imag() * x.imag()});
-    }
-  }
-  std::ranges::sort(factors.roots);
-  std::ranges::sort(factors.pairs, {}, &RealFactors::Pair::u);
-  return factors;
-}
-
-/// The form of P/Q, given by their Chebyshev coefficients.
-RationalForm form_of(const Eigen::VectorXd& p, const Eigen::VectorXd& q, const Problem& problem) {
-  RationalForm form = problem.form;
-  form.p = factors_of(p, problem), form.q = factors_of(q, problem);
-  const int degree = static_cast<int>(p.size()) - 1;
-  const Eigen::MatrixXd basis = chebyshev(problem.t / problem.reach, degree);
-  const Eigen::VectorXd values = (basis * p).cwiseQuotient(basis * q);
-  Eigen::Index i = 0;
-  values.cwiseAbs().maxCoeff(&i);
-  const double x = problem.b * (1 + problem.t[i]) / (1 - problem.t[i]);
-  form.gain = values[i] * form.q.times(1.0, x) / form.p.times(1.0, x);
-  return form;
-}
-
-bool has_pole(const RationalForm& form, const Problem& problem) {
-  const auto within = [&](double root) { return root >= problem.least_x && root <= problem.largest_x; };
-  const auto on_axis = [](const RealFactors::Pair& pair) { return !(pair.v2 > 0); };
-  return std::ranges::any_of(form.q.roots, within) || std::ranges::any_of(form.q.pairs, on_axis);
-}
-
-double error_of(const RationalForm& form, const Problem& problem) {
-  double worst = 0;
-  for (Eigen::Index i = 0; i < problem.t.size(); ++i) {
-    const double x = problem.b * (1 + problem.t[i]) / (1 - problem.t[i]);
-    const double value = form.p.times(form.gain, x) / form.q.times(1.0, x);
-    const double error = std::abs(value - problem.f[i]) / problem.s[i];
-    if (!(error <= worst)) worst = error;
-  }
-  return worst;
-}
-
-struct Candidate {
-  RationalForm form;
-  double error = infinity;
-};
-
-/// The least maximum of |P/Q − f|/s, nearly: least squares of the linearised problem (P − f Q)/(s Q₀) with the
-/// denominator of the step before [Sanathanan & Koerner 1963], weighted by the errors of the step before [Lawson 1961].
-Candidate minimax(const Problem& problem, int degree) {
-  constexpr int steps = 80;
-  const Eigen::Index count = problem.t.size(), n = degree + 1;
-  const Eigen::MatrixXd basis = chebyshev(problem.t / problem.reach, degree);
-  const Eigen::VectorXd f_over_s = problem.f.cwiseQuotient(problem.s);
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(count), denominator = weights;
-  Candidate best;
-  for (int step = 0; step < steps; ++step) {
-    const Eigen::VectorXd row = weights.cwiseSqrt().cwiseQuotient(denominator.cwiseAbs());
-    Eigen::MatrixXd matrix(count, 2 * n - 1);
-    matrix.leftCols(n) = row.cwiseQuotient(problem.s).asDiagonal() * basis;
-    matrix.rightCols(n - 1) = -(row.cwiseProduct(f_over_s).asDiagonal() * basis.rightCols(n - 1));
-    const Eigen::VectorXd solution = matrix.colPivHouseholderQr().solve(row.cwiseProduct(f_over_s));
-    Eigen::VectorXd q(n);
-    q << 1, solution.tail(n - 1);
-    denominator = basis * q;
-    const Eigen::VectorXd errors =
-        ((basis * solution.head(n)).cwiseQuotient(denominator) - problem.f).cwiseQuotient(problem.s).cwiseAbs();
-    const double worst = errors.maxCoeff();
-    if (!std::isfinite(worst)) break;
-    if (worst < best.error) {
-      const RationalForm form = form_of(solution.head(n), q, problem);
-      if (std::isfinite(form.gain) && !has_pole(form, problem)) {
-        const double error = error_of(form, problem);
-        if (error < best.error) best = {form, error};
-      }
-    }
-    if (worst == 0) break;
-    if (step < 5) continue;  // the denominator settles first
-    weights = weights.cwiseProduct(errors / worst);
-    weights /= weights.maxCoeff();
-    weights = weights.cwiseMax(1e-12);
-  }
-  return best;
+/// |form − albedo| with what the albedo may be off by, relative.
+double error_at(const RationalForm& form, const Place& place, double largest) {
+  return (std::abs(form(place.cos_theta) - place.albedo.value) + place.albedo.error) /
+         scale_of(place.albedo.value, largest);
 }
 
 /// Takes the error of the form at these places into the fit's.
 void measure(const std::vector<Place>& list, RationalFit& fit) {
-  for (const auto& [cos_theta, albedo] : list) {
-    const double scale = scale_of(albedo.value, fit.largest);
-    const double error = std::abs(fit.form(cos_theta) - albedo.value) / scale + albedo.error / scale;
+  for (const Place& place : list) {
+    const double error = error_at(fit.form, place, fit.largest);
     const double in_float =
-        std::abs(static_cast<double>(fit.form(static_cast<float>(cos_theta))) - albedo.value) / scale;
-    if (!(error <= fit.error)) fit.error = error, fit.worst_theta = theta_degrees(cos_theta);
+        std::abs(static_cast<double>(fit.form(static_cast<float>(place.cos_theta))) - place.albedo.value) /
+        scale_of(place.albedo.value, fit.largest);
+    if (!(error <= fit.error)) fit.error = error, fit.worst_theta = theta_degrees(place.cos_theta);
     if (!(in_float <= fit.float_error)) fit.float_error = in_float;
   }
 }
 
-}  // namespace
+/// Directions on either side of every place where the error has a maximum that is not much less than the largest.
+std::vector<Place> around_peaks(const std::vector<Place>& list, const RationalFit& fit) {
+  constexpr double considered = 0.7;
+  std::vector<double> errors;
+  for (const Place& place : list) errors.push_back(error_at(fit.form, place, fit.largest));
+  std::vector<Place> result;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, list.size() - 1);
+    if (errors[i] < considered * fit.error || errors[i] < errors[before] || errors[i] < errors[after]) continue;
+    const std::vector<Place> gaps(list.begin() + static_cast<std::ptrdiff_t>(before),
+                                  list.begin() + static_cast<std::ptrdiff_t>(after) + 1);
+    for (const double part : {0.25, 0.5, 0.75})
+      std::ranges::copy(places_between(gaps, part), std::back_inserter(result));
+  }
+  sort(result);
+  return result;
+}
 
-RationalFit rational_form(const Model& model, const RationalOptions& options) {
+/// Every way to write the albedo, those with a shift apart: they are tried last.
+std::vector<RationalForm> shapes(bool is_positive, const std::set<int>& powers, bool has_shift) {
+  using enum RationalVariable;
+  std::vector<RationalForm> result;
+  const auto add = [&](RationalVariable variable, double shift) {
+    for (const int exponent : {1, 2, 4}) {
+      for (const int power : powers) {
+        if (exponent > 1 && !is_positive) continue;
+        result.push_back({.variable = variable, .shift = shift, .exponent = exponent, .power = power});
+      }
+    }
+  };
+  if (!has_shift) {
+    for (const auto variable : {square_root, cosine, fourth_root, half_elevation, cotangent}) add(variable, 0);
+    return result;
+  }
+  constexpr int shifts_per_decade = 10;
+  for (int i = 0; i <= 3 * shifts_per_decade; ++i) {
+    const double shift = std::pow(10, -static_cast<double>(i) / shifts_per_decade);
+    add(scaled_slope, shift * shift);
+    add(shifted_root, shift);
+  }
+  return result;
+}
+
+/// The degrees that make a form of exactly so many coefficients.
+std::vector<RationalType> types_of(std::size_t coefficients, bool has_shift) {
+  const int degrees = static_cast<int>(coefficients) - 1 - (has_shift ? 1 : 0);
+  std::vector<RationalType> types;
+  for (const int excess : {0, 1, -1, 3, -3}) {
+    if ((degrees - excess) % 2 != 0 || std::abs(excess) > degrees || (has_shift && excess != 0)) continue;
+    types.emplace_back((degrees + excess) / 2, (degrees - excess) / 2);
+  }
+  return types;
+}
+
+/// Fits all of them, each from what it knows, then those that have not converged from what the others have found: the
+/// directions at which errors alternate differ little from one variable to another.
+void fit_all(std::vector<RationalTrial>& trials, const std::vector<RationalType>& types, int threads) {
+  constexpr std::size_t most_references = 6;
+  for (const RationalType& type : types) {
+    in_parallel(trials.size(), threads, [&](std::size_t i) { trials[i].attempt(type); });
+    std::vector<Minimax> known;
+    for (RationalTrial& trial : trials) {
+      if (trial.best(type).converged) known.push_back(trial.best(type));
+    }
+    std::ranges::stable_sort(known, {}, &Minimax::error);
+    known.resize(std::min(known.size(), most_references));
+    in_parallel(trials.size(), threads, [&](std::size_t i) {
+      for (const Minimax& one : known) trials[i].attempt(type, one.reference);
+    });
+  }
+}
+
+/// What is worse of the error, and of the part of the float's that may be twice as large.
+double merit(const RationalFit& fit) { return std::max(fit.error, fit.float_error / 2); }
+
+/// The best of these forms at places that are integrated, added to what `fit` knows of the albedo.
+RationalFit best_of(std::vector<RationalTrial>& trials, const std::vector<RationalType>& types,
+                    const std::vector<Place>& list, const RationalFit& fit) {
+  RationalFit best = fit;
+  best.error = best.float_error = infinity;
+  for (RationalTrial& trial : trials) {
+    for (const RationalType& type : types) {
+      if (!(trial.best(type).error < merit(best) * trial.shape().exponent * 2)) continue;
+      const std::optional<RationalForm> form = trial.form(type);
+      if (!form) continue;
+      RationalFit here = fit;
+      here.form = *form, here.least = trial.best(type).least;
+      measure(list, here);
+      if (merit(here) < merit(best)) best = std::move(here);
+    }
+  }
+  return best;
+}
+
+void check(const RationalOptions& options) {
   if (options.most_coefficients < 3) {
     throw ParameterError("most_coefficients is " + std::to_string(options.most_coefficients) +
                          " and must be at least 3");
@@ -238,47 +205,83 @@ RationalFit rational_form(const Model& model, const RationalOptions& options) {
   if (!(options.last_theta >= 1 && options.last_theta < 90)) {
     throw ParameterError("last_theta is " + std::to_string(options.last_theta) + " and must be within [1, 90)");
   }
+}
+
+}  // namespace
+
+RationalFit rational_form(const Model& model, const RationalOptions& options) {
+  check(options);
+  constexpr double golden = 0.6180339887498949;
   RationalFit fit;
-  std::vector<Place> nodes = places(fitted_places, options.last_theta, 0.5, true);
-  std::vector<Place> others = places(verified_places, options.last_theta, golden, false);
-  integrate(model, options, nodes, fit);
-  integrate(model, options, others, fit);
-  fit.fitted = static_cast<int>(nodes.size()), fit.verified = static_cast<int>(others.size());
   fit.smallest = infinity, fit.largest = 0;
-  for (const auto& list : {nodes, others}) {
-    for (const Place& place : list) {
-      fit.smallest = std::min(fit.smallest, place.albedo.value);
-      fit.largest = std::max(fit.largest, std::abs(place.albedo.value));
-    }
-  }
+  const std::vector<Place> nodes = [&] {
+    std::vector<Place> list = fitted_places(options.last_theta);
+    integrate(model, options, list, fit);
+    return list;
+  }();
+  std::vector<Place> all = places_between(nodes, golden);
+  integrate(model, options, all, fit);
+  const auto finish = [&](RationalFit result) {
+    result.fitted = static_cast<int>(nodes.size()), result.verified = static_cast<int>(all.size() - nodes.size());
+    result.evaluations = fit.evaluations, result.smallest = fit.smallest, result.largest = fit.largest;
+    result.status = fit.status;
+    return result;
+  };
+  all.insert(all.end(), nodes.begin(), nodes.end());
+  sort(all);
   if (fit.status == Status::non_finite || fit.status == Status::divergent || !std::isfinite(fit.largest)) {
     fit.form.gain = std::numeric_limits<double>::quiet_NaN();
     fit.error = fit.float_error = infinity;
     if (fit.status == Status::converged) fit.status = Status::non_finite;
-    return fit;
+    return finish(fit);
   }
 
-  const double slope = std::log(nodes[0].albedo.value / nodes[8].albedo.value) /
-                       std::log(nodes[0].cos_theta / nodes[8].cos_theta);  // of ln a over ln cosθ at grazing incidence
-  const int most_degree = static_cast<int>((options.most_coefficients - 1) / 2);
-  constexpr double spare = 0.8;  // of the tolerance: the places between take some
-  Candidate best;
-  for (int degree = 0; degree <= most_degree && best.error > spare * options.tolerance; ++degree) {
-    Candidate here;
-    for (const int root : {2, 1, 4}) {
-      const int whole = std::isfinite(slope) ? static_cast<int>(std::lround(std::clamp(slope * root, -8.0, 8.0))) : 0;
-      for (const int power : std::set<int>{0, whole}) {
-        Candidate candidate = minimax(problem_of(nodes, fit.largest, root, power), degree);
-        if (candidate.error < here.error) here = std::move(candidate);
-      }
-    }
-    if (here.error < best.error) best = std::move(here);
+  std::vector<RationalSample> samples;
+  for (const auto& [cos_theta, albedo] : nodes) {
+    samples.push_back({cos_theta, albedo.value, scale_of(albedo.value, fit.largest)});
   }
-  fit.form = best.form;
-  measure(nodes, fit);
-  measure(others, fit);
-  if (fit.status == Status::converged && !(fit.error <= options.tolerance)) fit.status = Status::budget_exhausted;
-  return fit;
+  const RationalSample &last = samples[0], &before = samples[8];
+  const double slope = std::log(last.value / before.value) / std::log(last.cos_theta / before.cos_theta);
+  const int power = std::isfinite(slope) ? static_cast<int>(std::lround(std::clamp(2 * slope, -8.0, 8.0))) : 0;
+  const auto trials_of = [&](bool has_shift) {
+    std::vector<RationalTrial> trials;
+    for (RationalForm& shape : shapes(fit.smallest > 0, {0, power}, has_shift)) {
+      trials.emplace_back(std::move(shape), samples);
+    }
+    return trials;
+  };
+
+  RationalFit best = fit;
+  best.error = best.float_error = infinity;
+  /// Whether the best of these meets the tolerance: it is verified once more, where its error is largest.
+  const auto suffice = [&](std::vector<RationalTrial>& trials, std::size_t coefficients, bool has_shift) {
+    const std::vector<RationalType> types = types_of(coefficients, has_shift);
+    fit_all(trials, types, options.threads);
+    RationalFit here = best_of(trials, types, all, fit);
+    if (!(merit(here) < merit(best))) return false;
+    constexpr double rounding = 1e-12;  // has no peaks
+    if (here.error > rounding && (here.error <= options.tolerance || coefficients == options.most_coefficients)) {
+      std::vector<Place> more = around_peaks(all, here);
+      integrate(model, options, more, fit);
+      measure(more, here);
+      all.insert(all.end(), more.begin(), more.end());
+      sort(all);
+    }
+    if (merit(here) < merit(best)) best = std::move(here);
+    return best.error <= options.tolerance;
+  };
+  std::vector<RationalTrial> trials = trials_of(false);
+  bool is_enough = false;
+  for (std::size_t count = 1; count <= options.most_coefficients && !is_enough; ++count) {
+    is_enough = suffice(trials, count, false);
+  }
+  if (!is_enough && options.most_coefficients % 2 == 0) {
+    std::vector<RationalTrial> shifted = trials_of(true);
+    suffice(shifted, options.most_coefficients, true);
+  }
+  best = finish(std::move(best));
+  if (best.status == Status::converged && !(best.error <= options.tolerance)) best.status = Status::budget_exhausted;
+  return best;
 }
 
 }  // namespace albedo::analysis
