@@ -62,7 +62,7 @@ std::string variable_text(const RationalForm& form, const Language& language, co
   const auto root = [&](const std::string& of) { return language.square_root + "(" + of + ")"; };
   const std::string c = "cos_theta", one = language.number(1),
                     sine2 = "(" + one + " - " + c + ") * (" + one + " + " + c + ")";
-  std::string x;
+  std::string x, before;
   switch (form.variable) {
     case RationalVariable::cosine:
       x = c;
@@ -85,8 +85,13 @@ std::string variable_text(const RationalForm& form, const Language& language, co
     case RationalVariable::scaled_slope:
       x = c + " / " + root(c + " * " + c + " + " + language.number(form.shift) + " * (" + sine2 + ")");
       break;
+    case RationalVariable::scaled_half:
+      before = "  " + type + " rest = " + language.number(form.shift) + " * (" + sine2 + ");\n  " + type +
+               " w = " + root(c + " * " + c + " + rest") + ";\n";
+      x = c + " / (w + " + root("rest * w / (w + " + c + ")") + ")";
+      break;
   }
-  return "  " + type + " x = " + x + ";\n";
+  return before + "  " + type + " x = " + x + ";\n";
 }
 
 std::string function_text(const RationalForm& form, const Language& language, const std::string& type,
@@ -116,6 +121,8 @@ std::string_view name_of(RationalVariable variable) {
       return "(c+d)^(1/2)";
     case RationalVariable::scaled_slope:
       return "c/(c^2+d*s^2)^(1/2)";
+    case RationalVariable::scaled_half:
+      return "1-(1-c/(c^2+d*s^2)^(1/2))^(1/2)";
   }
   return "";
 }

@@ -32,7 +32,7 @@ void sort(std::vector<Place>& list) {
 /// Evenly over θ, over ln cosθ towards grazing incidence and over ln θ towards normal incidence, and crowded at the
 /// ends, as nothing holds a fit from beyond them.
 std::vector<Place> fitted_places(double last_theta) {
-  constexpr int over_theta = 200, over_decades = 240, towards_normal = 80;
+  constexpr int over_theta = 240, over_decades = 240, towards_normal = 200;
   const double last = Direction::from_degrees(last_theta).cos_theta;
   std::vector<Place> result{{1}, {last}};
   for (int i = 0; i < over_theta; ++i) {
@@ -138,6 +138,7 @@ std::vector<RationalForm> shapes(bool is_positive, const std::set<int>& powers, 
   for (int i = 0; i <= 3 * shifts_per_decade; ++i) {
     const double shift = std::pow(10, -static_cast<double>(i) / shifts_per_decade);
     add(scaled_slope, shift * shift);
+    add(scaled_half, shift * shift);
     add(shifted_root, shift);
   }
   return result;
@@ -154,6 +155,12 @@ std::vector<RationalType> types_of(std::size_t coefficients, bool has_shift) {
   return types;
 }
 
+std::vector<int> mean(std::vector<int> own, const std::vector<int>& other) {
+  if (own.size() != other.size()) return other;
+  for (std::size_t i = 0; i < own.size(); ++i) own[i] = (own[i] + other[i]) / 2;
+  return own;
+}
+
 /// Fits all of them, each from what it knows, then those that have not converged from what the others have found: the
 /// directions at which errors alternate differ little from one variable to another.
 void fit_all(std::vector<RationalTrial>& trials, const std::vector<RationalType>& types, int threads) {
@@ -168,6 +175,7 @@ void fit_all(std::vector<RationalTrial>& trials, const std::vector<RationalType>
     known.resize(std::min(known.size(), most_references));
     in_parallel(trials.size(), threads, [&](std::size_t i) {
       for (const Minimax& one : known) trials[i].attempt(type, one.reference);
+      for (const Minimax& one : known) trials[i].attempt(type, mean(trials[i].best(type).reference, one.reference));
     });
   }
 }

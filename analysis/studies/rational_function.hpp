@@ -36,7 +36,8 @@ enum class RationalVariable {
   half_elevation,  ///< c/(1 + s) = tan(45° − θ/2)
   cotangent,       ///< c/(c + s)
   shifted_root,    ///< √(c + d)
-  scaled_slope,    ///< c/√(c² + d s²): 1/√(1 + d tan²θ)
+  scaled_slope,    ///< c/w, w = √(c² + d s²): 1/√(1 + d tan²θ)
+  scaled_half,     ///< c/(w + √(d s² w/(w + c))) = 1 − √(1 − c/w)
 };
 
 /// c^(power/2) · (gain · P(x)/Q(x))^(1/exponent), in factors: none of them cancels where the albedo is smooth,
@@ -51,7 +52,8 @@ struct RationalForm {
   RealFactors p{}, q{};
 
   [[nodiscard]] bool has_shift() const {
-    return variable == RationalVariable::shifted_root || variable == RationalVariable::scaled_slope;
+    return variable == RationalVariable::shifted_root || variable == RationalVariable::scaled_slope ||
+           variable == RationalVariable::scaled_half;
   }
 
   /// Fitted numbers: the shift is one of them.
@@ -77,6 +79,10 @@ struct RationalForm {
         return sqrt(c + T(shift));
       case RationalVariable::scaled_slope:
         return c / sqrt(c * c + T(shift) * ((1 - c) * (1 + c)));
+      case RationalVariable::scaled_half: {
+        const T rest = T(shift) * ((1 - c) * (1 + c)), w = sqrt(c * c + rest);
+        return c / (w + sqrt(rest * w / (w + c)));
+      }
     }
     return c;
   }

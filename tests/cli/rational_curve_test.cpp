@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -14,14 +15,24 @@ bool is_installed(const std::string& program) {
 }
 
 /// The value of a form's JSON, as its description says.
-double value_of(const Json& form, double cos_theta) {
-  const double x = std::pow(cos_theta, 1 / form["root"].get<double>());
-  double value = form["gain"].get<double>() * std::pow(x, form["power"].get<double>());
+double value_of(const Json& form, double c) {
+  const std::string variable = form["variable"];
+  const double d = form["d"], s2 = (1 - c) * (1 + c), s = std::sqrt(s2), slope = c / std::sqrt(c * c + d * s2);
+  const std::map<std::string, double> variables{{"c", c},
+                                                {"c^(1/2)", std::sqrt(c)},
+                                                {"c^(1/4)", std::pow(c, 0.25)},
+                                                {"c/(1+s)", c / (1 + s)},
+                                                {"c/(c+s)", c / (c + s)},
+                                                {"(c+d)^(1/2)", std::sqrt(c + d)},
+                                                {"c/(c^2+d*s^2)^(1/2)", slope},
+                                                {"1-(1-c/(c^2+d*s^2)^(1/2))^(1/2)", 1 - std::sqrt(1 - slope)}};
+  const double x = variables.at(variable);
+  double value = form["gain"];
   for (const double zero : form["zeros"]) value *= x - zero;
   for (const Json& pair : form["zero_pairs"]) value *= std::pow(x - pair[0].get<double>(), 2) + pair[1].get<double>();
   for (const double pole : form["poles"]) value /= x - pole;
   for (const Json& pair : form["pole_pairs"]) value /= std::pow(x - pair[0].get<double>(), 2) + pair[1].get<double>();
-  return value;
+  return std::pow(value, 1 / form["exponent"].get<double>()) * std::pow(c, form["power"].get<double>() / 2);
 }
 
 TEST_F(CliTest, RationalCurveSaysWhatItIs) {
@@ -36,33 +47,56 @@ TEST_F(CliTest, RationalCurveSaysWhatItIs) {
   EXPECT_NEAR(value_of(printed["form"], std::cos(61 * M_PI / 180)), albedo, 1e-6 * albedo);
 }
 
+struct Written {
+  std::vector<std::string> model;
+  std::string function;
+};
+const std::vector<Written> written{{{"ward", "alpha=0.3"}, "ward_albedo"},
+                                   {{"ggx", "alpha=0.3"}, "ggx_albedo"},
+                                   {{"ashikhmin_shirley", "n=100"}, "ashikhmin_shirley_albedo"},
+                                   {{"phong", "n=20", "--pump", "2"}, "phong_albedo"}};
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& then) {
+  first.insert(first.end(), then.begin(), then.end());
+  return first;
+}
+
 TEST_F(CliTest, RationalCurveIsCompiledAsCpp) {
-  ASSERT_EQ(run_albedo({"curve", "ggx", "alpha=0.3", "--form", "rational", "-o", "ggx.hpp"}).code, 0);
   if (!is_installed("c++")) GTEST_SKIP() << "no c++";
-  const Json at = Json::parse(run_albedo({"at", "ggx", "alpha=0.3", "--theta", "70", "--json"}).out);
-  const double albedo = at["results"][0]["albedo"];
+  std::string heads, checks;
+  for (const auto& [model, function] : written) {
+    const std::string file = function + ".hpp";
+    ASSERT_EQ(run_albedo(joined(joined({"curve"}, model), {"--form", "rational", "-o", file})).code, 0) << function;
+    heads += "#include \"" + file + "\"\n";
+    const Outcome at = run_albedo(joined(joined({"at"}, model), {"--theta", "0,7,33,70,89.9,89.99", "--json"}));
+    const Json results = Json::parse(at.out)["results"];
+    for (const Json& result : results) {
+      checks += "  good = good && is_close(" + function + "(std::cos(" + result["theta_deg"].dump() + " * degree)), " +
+                result["albedo"].dump() + ", 1e-6) && is_close(" + function + "(float(std::cos(" +
+                result["theta_deg"].dump() + " * degree))), " + result["albedo"].dump() + ", 3e-6);\n";
+    }
+  }
   write_text("main.cpp",
-             "#include \"ggx.hpp\"\n"
-             "int main() {\n"
-             "  const double c = std::cos(70 * 3.14159265358979323846 / 180), a = " +
-                 std::to_string(albedo) +
-                 ";\n"
-                 "  const auto is_close = [&](double b, double e) { return std::abs(b / a - 1) < e; };\n"
-                 "  return is_close(ggx_albedo(c), 3e-6) && is_close(ggx_albedo(float(c)), 5e-6) ? 0 : 1;\n"
-                 "}\n");
+             heads +
+                 "bool is_close(double a, double b, double e) { return std::abs(a / b - 1) < e; }\n"
+                 "int main() {\n  const double degree = 3.14159265358979323846 / 180;\n  bool good = true;\n" +
+                 checks + "  return good ? 0 : 1;\n}\n");
   ASSERT_EQ(std::system("c++ -std=c++17 -Wall -Werror main.cpp -o main"), 0);
   EXPECT_EQ(std::system("./main"), 0);
 }
 
 TEST_F(CliTest, RationalCurveIsCompiledAsGlsl) {
-  ASSERT_EQ(run_albedo({"curve", "ward", "alpha=0.3", "--form", "rational", "-o", "ward.glsl"}).code, 0);
-  const std::string text = read_text("ward.glsl");
-  EXPECT_NE(text.find("float ward_albedo(float cos_theta) {"), std::string::npos) << text;
-  if (!is_installed("glslangValidator")) GTEST_SKIP() << "no glslangValidator";
-  for (const std::string version : {"#version 330\n", "#version 300 es\nprecision highp float;\n"}) {
-    write_text("shader.frag", version + "in float cosine;\nout vec4 colour;\n" + text +
-                                  "void main() { colour = vec4(ward_albedo(cosine)); }\n");
-    EXPECT_EQ(std::system("glslangValidator shader.frag >log.txt"), 0) << version << read_text("log.txt");
+  for (const auto& [model, function] : written) {
+    const std::string file = function + ".glsl";
+    ASSERT_EQ(run_albedo(joined(joined({"curve"}, model), {"--form", "rational", "-o", file})).code, 0) << function;
+    const std::string text = read_text(file);
+    EXPECT_NE(text.find("float " + function + "(float cos_theta) {"), std::string::npos) << text;
+    if (!is_installed("glslangValidator")) GTEST_SKIP() << "no glslangValidator";
+    for (const std::string version : {"#version 330\n", "#version 300 es\nprecision highp float;\n"}) {
+      write_text("shader.frag", version + "in float cosine;\nout vec4 colour;\n" + text +
+                                    "void main() { colour = vec4(" + function + "(cosine)); }\n");
+      EXPECT_EQ(std::system("glslangValidator shader.frag >log.txt"), 0) << version << read_text("log.txt");
+    }
   }
 }
 
