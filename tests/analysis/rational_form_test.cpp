@@ -40,10 +40,9 @@ TEST(RationalForm, MeetsItsErrorWhereItWasNotVerified) {
     Parameters parameters;
     int pumpings = 0;
   };
-  for (const Case& c :
-       {Case{"ggx", {{"alpha", 0.01}}}, Case{"ggx", {{"alpha", 0.3}}}, Case{"ward", {{"alpha", 0.01}}},
-        Case{"ward", {{"alpha", 0.3}}}, Case{"phong", {{"n", 20.0}}}, Case{"ashikhmin_shirley", {{"n", 200.0}}},
-        Case{"phong", {{"n", 20.0}}, 2}, Case{"phong", {{"n", 5.0}}, 2}}) {
+  for (const Case& c : {Case{"ggx", {{"alpha", 0.3}}}, Case{"ward", {{"alpha", 0.01}}}, Case{"ward", {{"alpha", 0.3}}},
+                        Case{"phong", {{"n", 20.0}}}, Case{"ashikhmin_shirley", {{"n", 200.0}}},
+                        Case{"phong", {{"n", 20.0}}, 2}, Case{"phong", {{"n", 5.0}}, 2}}) {
     SCOPED_TRACE(c.model);
     std::unique_ptr<Model> model = make_model(c.model, c.parameters);
     if (c.pumpings > 0) model = std::make_unique<PumpedModel>(std::move(model), PumpOptions{.times = c.pumpings});

@@ -54,7 +54,7 @@ struct Written {
 const std::vector<Written> written{{{"ward", "alpha=0.3"}, "ward_albedo"},
                                    {{"ggx", "alpha=0.3"}, "ggx_albedo"},
                                    {{"ashikhmin_shirley", "n=100"}, "ashikhmin_shirley_albedo"},
-                                   {{"phong", "n=20", "--pump", "2"}, "phong_albedo"}};
+                                   {{"phong", "n=20", "--pump", "2"}, "pumped_albedo"}};
 
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& then) {
   first.insert(first.end(), then.begin(), then.end());
