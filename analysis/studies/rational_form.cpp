@@ -25,8 +25,8 @@ double theta_degrees(double cos_theta) { return Direction::from_cosine(cos_theta
 
 void sort(std::vector<Place>& list) {
   std::ranges::sort(list, {}, &Place::cos_theta);
-  const auto same = std::ranges::unique(list, {}, &Place::cos_theta);
-  list.erase(same.begin(), same.end());
+  const auto is_same = [](const Place& a, const Place& b) { return a.cos_theta == b.cos_theta; };
+  list.erase(std::unique(list.begin(), list.end(), is_same), list.end());
 }
 
 /// Evenly over θ, over ln cosθ towards grazing incidence and over ln θ towards normal incidence, and crowded at the
