@@ -48,8 +48,21 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   endif()
 endif()
 
-# albedo_sanitizers: private, and empty unless ALBEDO_SANITIZE names some.
+# albedo_sanitizers: private, and empty unless ALBEDO_SANITIZE names some or ALBEDO_FUZZ asks for all that fuzzing needs.
 add_library(albedo_sanitizers INTERFACE)
+if(ALBEDO_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "ALBEDO_FUZZ needs clang, whose libFuzzer the targets are linked with, and the compiler is "
+                        "${CMAKE_CXX_COMPILER_ID}: use the preset fuzz, or CMAKE_CXX_COMPILER=clang++")
+  endif()
+  if(NOT ALBEDO_PROGRAMS)
+    message(FATAL_ERROR "ALBEDO_FUZZ needs ALBEDO_PROGRAMS=ON: most of the readers are the program's")
+  endif()
+  if(NOT ALBEDO_SANITIZE)
+    set(ALBEDO_SANITIZE address,undefined)
+  endif()
+  target_compile_options(albedo_sanitizers INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(ALBEDO_SANITIZE)
   target_compile_options(albedo_sanitizers INTERFACE -fsanitize=${ALBEDO_SANITIZE} -fno-sanitize-recover=all
                                                      -fno-omit-frame-pointer)

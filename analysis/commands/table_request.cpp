@@ -119,6 +119,7 @@ TableRequest parse_table_request(const ModelArguments& arguments) {
   bool has_polar_angle = false;
   for (const Assignment& assignment : assignments) {
     const std::string& name = assignment.name;
+    check_size(request.axes);  // before the next axis takes memory
     if (is_direction(name)) {
       request.axes.push_back(parse_direction_axis(assignment));
       request.is_in_document.push_back(varies(assignment));
@@ -149,17 +150,18 @@ MaterialRequest parse_material_request(const ModelArguments& arguments) {
   std::vector<Assignment> assignments;
   for (const std::string& text : texts) {
     assignments.push_back(parse_assignment(text));
-    const std::string& name = assignments.back().name;
-    if (!is_direction(name)) {
+    if (!is_direction(assignments.back().name)) {
       throw ParameterError("'" + text + "': a table of --materials takes theta, cos_theta and phi only");
-    }
-    if (name == "phi") {
-      request.phi = parse_number(name, assignments.back().text);
-    } else {
-      request.directions = parse_direction_axis(assignments.back());
     }
   }
   check_names({}, assignments);
+  for (const Assignment& assignment : assignments) {
+    if (assignment.name == "phi") {
+      request.phi = parse_number(assignment.name, assignment.text);
+    } else {
+      request.directions = parse_direction_axis(assignment);
+    }
+  }
   return request;
 }
 

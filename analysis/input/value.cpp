@@ -12,7 +12,7 @@
 namespace albedo::analysis {
 namespace {
 
-constexpr std::size_t largest_count = 1'000'000'000;
+constexpr std::size_t largest_count = 1'000'000;  // 8 MB
 
 /// "what: 'text' problem"
 ParameterError refused(std::string_view what, std::string_view text, std::string_view problem) {

@@ -26,7 +26,7 @@ Assignment parse_assignment(std::string_view argument);
 struct RangeAxis {
   double from;
   double to;
-  std::size_t count;  ///< 1 to 1e9; 1 only if from = to
+  std::size_t count;  ///< 1 to 1e6; 1 only if from = to
   bool log;           ///< even steps of the logarithm; both ends are positive
 
   /// The numbers in order, exactly `from` and `to` at the ends.

@@ -84,10 +84,10 @@ TEST(Range, RoundTripsThroughText) {
   for (int i = 0; i < 1000; ++i) {
     const double from = random_double(generator);
     const double to = random_double(generator);
-    const RangeAxis range = parse_range("alpha", shortest(from) + ":" + shortest(to) + ":1000000000");
+    const RangeAxis range = parse_range("alpha", shortest(from) + ":" + shortest(to) + ":1000000");
     EXPECT_EQ(range.from, from);
     EXPECT_EQ(range.to, to);
-    EXPECT_EQ(range.count, 1'000'000'000U);
+    EXPECT_EQ(range.count, 1'000'000U);
     EXPECT_FALSE(range.log);
   }
 }
@@ -107,7 +107,7 @@ TEST(Range, RefusesWhatIsNone) {
                                  "0:1:1e3",
                                  "0:1:2.5",
                                  "0:1:+2",
-                                 "0:1:1000000001",
+                                 "0:1:1000001",
                                  "0:1:99999999999999999999",
                                  "0:1: 2",
                                  "0:1:1",

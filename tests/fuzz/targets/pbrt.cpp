@@ -1,0 +1,3 @@
+#include "fuzz/scenes.hpp"
+
+ALBEDO_FUZZ_TARGET(pbrt) { albedo::fuzz::read_scene_file(input, albedo::analysis::read_pbrt); }
