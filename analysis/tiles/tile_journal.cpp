@@ -1,5 +1,6 @@
 #include "analysis/tiles/tile_journal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -17,7 +18,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view magic = "albedo journal 1";
 constexpr std::size_t prefix_size = magic.size() + 2 * sizeof(std::uint64_t);
 constexpr std::size_t record_size = 64;
-constexpr std::uint64_t longest_head = 1U << 26U;
+// Of a head: twice the longest command line, and JSON takes 40 times its text in memory; what reads it goes down by
+// recursion.
+constexpr std::uint64_t longest_head = 1U << 22U;
+constexpr int deepest_nesting = 32;
 constexpr std::size_t most_tiles = std::size_t{1} << 40U;
 
 using Words = std::array<std::uint64_t, record_size / sizeof(std::uint64_t)>;
@@ -51,8 +55,12 @@ JournalHead read_head(const PlacedFile& file) {
   file.read(prefix_size, std::as_writable_bytes(std::span(text)));
   if (checksum_of(text) != sum) throw refuse("the journal is damaged: the checksum of its head is wrong");
   JournalHead head;
+  const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest_nesting) throw refuse("the journal's head is nested too deeply");
+    return true;
+  };
   try {
-    const Json json = Json::parse(text);
+    const Json json = Json::parse(text, check_depth);
     head = {json.at("command").get<std::string>(), json.at("computation"), json.at("tiles").get<std::size_t>()};
   } catch (const Json::exception&) {
     throw refuse("it is no journal of a table");
@@ -132,6 +140,9 @@ std::string difference(const Json& was, const Json& is) {
   for (const auto& [key, value] : is.items()) {
     if (!was.contains(key)) add(key + " was not given and is " + value.dump());
   }
+  // A damaged journal may hold what a terminal obeys.
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
   return text;
 }
 

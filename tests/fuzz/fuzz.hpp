@@ -29,15 +29,22 @@ inline void require(bool condition, const std::string& what) {
   if (!condition) throw std::logic_error(what);
 }
 
+/// Whose text a message may cite.
+enum class Cited {
+  file,    ///< somebody's: no line ends, nothing that a terminal obeys
+  command  ///< the user's own: as it is
+};
+
 /// Whether the input is accepted. It may be refused by the documented kind of error alone, in one line of text.
 template <class Documented, class Action>
-bool accepts(const Action& action) {
+bool accepts(const Action& action, Cited cited = Cited::file) {
   try {
     action();
     return true;
   } catch (const Documented& error) {
     const std::string_view message = error.what();
-    require(!message.empty() && std::ranges::none_of(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }),
+    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
+    require(!message.empty() && (cited == Cited::command || std::ranges::none_of(message, is_control)),
             "a message that isn't one line of text: " + std::string(message));
     return false;
   }

@@ -8,20 +8,21 @@
 ALBEDO_FUZZ_TARGET(assertion) {
   using namespace albedo;
   using fuzz::require;
-  if (std::ranges::any_of(input, [](unsigned char c) { return c < ' ' || c == 0x7f; })) return;  // cited as it is
-  fuzz::accepts<ParameterError>([&] {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const analysis::Facts none{.at = [](double, double) { return nan; },
-                               .max = nan,
-                               .min = nan,
-                               .mean = nan,
-                               .error = nan,
-                               .evaluations = nan};
-    for (const analysis::Assertion& assertion : analysis::parse_assertions(input)) {
-      require(assertion.theta >= 0 && assertion.theta <= 90 && assertion.tolerance >= 0 &&
-                  std::isfinite(assertion.value) && std::isfinite(assertion.phi),
-              "an assertion outside of its ranges");
-      require(!analysis::evaluate(assertion, none).holds, "an assertion that NaN satisfies");
-    }
-  });
+  fuzz::accepts<ParameterError>(
+      [&] {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        const analysis::Facts none{.at = [](double, double) { return nan; },
+                                   .max = nan,
+                                   .min = nan,
+                                   .mean = nan,
+                                   .error = nan,
+                                   .evaluations = nan};
+        for (const analysis::Assertion& assertion : analysis::parse_assertions(input)) {
+          require(assertion.theta >= 0 && assertion.theta <= 90 && assertion.tolerance >= 0 &&
+                      std::isfinite(assertion.value) && std::isfinite(assertion.phi),
+                  "an assertion outside of its ranges");
+          require(!analysis::evaluate(assertion, none).holds, "an assertion that NaN satisfies");
+        }
+      },
+      fuzz::Cited::command);
 }

@@ -8,19 +8,21 @@
 ALBEDO_FUZZ_TARGET(value) {
   using namespace albedo;
   using fuzz::accepts, fuzz::require;
-  if (std::ranges::any_of(input, [](unsigned char c) { return c < ' ' || c == 0x7f; })) return;  // cited as it is
   const auto are_finite = [](const std::vector<double>& values) {
     require(!values.empty() && std::ranges::all_of(values, [](double v) { return std::isfinite(v); }),
             "values that aren't finite");
   };
-  accepts<ParameterError>([&] { are_finite({analysis::parse_number("x", input)}); });
-  accepts<ParameterError>([&] { are_finite(analysis::parse_values("x", input)); });
-  accepts<ParameterError>([&] { are_finite(analysis::parse_angles("x", input)); });
-  accepts<ParameterError>([&] { analysis::parse_integer<int>("--n", std::string(input), -3, 1000); });
-  accepts<ParameterError>([&] {
-    const analysis::Assignment assignment = analysis::parse_assignment(input);
-    require(assignment.name + "=" + assignment.text == input && !assignment.name.empty(),
-            "an assignment that lost text");
-    are_finite(analysis::parse_values(assignment.name, assignment.text));
-  });
+  accepts<ParameterError>([&] { are_finite({analysis::parse_number("x", input)}); }, fuzz::Cited::command);
+  accepts<ParameterError>([&] { are_finite(analysis::parse_values("x", input)); }, fuzz::Cited::command);
+  accepts<ParameterError>([&] { are_finite(analysis::parse_angles("x", input)); }, fuzz::Cited::command);
+  accepts<ParameterError>([&] { analysis::parse_integer<int>("--n", std::string(input), -3, 1000); },
+                          fuzz::Cited::command);
+  accepts<ParameterError>(
+      [&] {
+        const analysis::Assignment assignment = analysis::parse_assignment(input);
+        require(assignment.name + "=" + assignment.text == input && !assignment.name.empty(),
+                "an assignment that lost text");
+        are_finite(analysis::parse_values(assignment.name, assignment.text));
+      },
+      fuzz::Cited::command);
 }
