@@ -116,6 +116,7 @@ TableRequest parse_table_request(const ModelArguments& arguments) {
   const ModelInfo& info = model_info(arguments.model);
   TableRequest request{
       .model = arguments.model, .fixed = {}, .axes = {}, .is_in_document = {}, .channels = arguments.channels()};
+  check_names(info, assignments);
   bool has_polar_angle = false;
   for (const Assignment& assignment : assignments) {
     const std::string& name = assignment.name;
@@ -132,7 +133,6 @@ TableRequest parse_table_request(const ModelArguments& arguments) {
     }
   }
   make_model(arguments.model, request.fixed);
-  check_names(info, assignments);
   if (!has_polar_angle) {
     request.axes.push_back(texel_centres());
     request.is_in_document.push_back(true);

@@ -31,7 +31,14 @@ std::size_t count_lines(std::string_view text) { return static_cast<std::size_t>
 
 /// A name from the file, fit for a message of one line.
 std::string quoted(const std::string& name) {
-  return Json(name.substr(0, 60)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = Json(name.substr(0, 60)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::ranges::replace(text, '\x7f', '?');  // the one control character that JSON leaves as it is
+  return text;
+}
+
+/// What no name of a model or a parameter has, and a terminal may obey where a message cites it.
+bool has_control_character(const std::string& text) {
+  return std::ranges::any_of(text, [](unsigned char c) { return c < ' ' || c == 0x7f; });
 }
 
 /// Parses the entries of one file; every message begins with the file and the line.
@@ -117,6 +124,7 @@ class MaterialsParser {
                       .model = text_member(json, "model", entry.line),
                       .parameters = {},
                       .line = entry.line};
+    if (has_control_character(material.model)) fail(entry.line, "\"model\" has a control character");
     const auto parameters = json.find("parameters");
     if (parameters == json.end()) fail(entry.line, "the material has no \"parameters\"");
     if (!parameters->is_object()) fail(entry.line, "\"parameters\" must be an object");
@@ -124,6 +132,10 @@ class MaterialsParser {
       const std::optional<ParameterValue> parameter = parameter_value(value);
       if (!parameter) {
         fail(entry.line, "the parameter " + quoted(name) + " must be a number, a name or an array of three numbers");
+      }
+      const auto* const text = std::get_if<std::string>(&*parameter);
+      if (has_control_character(name) || (text != nullptr && has_control_character(*text))) {
+        fail(entry.line, "the parameter " + quoted(name) + " has a control character in its name or value");
       }
       material.parameters.emplace_back(name, *parameter);
     }

@@ -50,9 +50,13 @@ bool accepts(const Action& action, Cited cited = Cited::file) {
   }
 }
 
+/// An argument of a command line: there is no NUL byte in one.
+inline std::string_view argument(std::string_view text) { return text.substr(0, text.find('\0')); }
+
 /// Words of a command line: the lines of the text.
 inline std::vector<std::string> words(std::string_view text) {
   std::vector<std::string> result;
+  text = argument(text);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     result.emplace_back(text.substr(0, end));

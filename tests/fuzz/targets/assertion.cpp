@@ -7,6 +7,7 @@
 
 ALBEDO_FUZZ_TARGET(assertion) {
   using namespace albedo;
+  input = fuzz::argument(input);
   using fuzz::require;
   fuzz::accepts<ParameterError>(
       [&] {

@@ -25,7 +25,7 @@ ALBEDO_FUZZ_TARGET(model_arguments) {
 #ifdef ALBEDO_LIBFUZZER
 /// The nodes of rules are computed once, which isn't the first input's doing.
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
-  albedo::analysis::ModelArguments{.model = "coupled", .parameters = {"ggx:alpha=0.2"}}.make();
+  albedo::analysis::ModelArguments{.model = "coupled", .parameters = {"ggx:alpha=0.2,f0=0.04"}}.make();
   return 0;
 }
 #endif

@@ -7,6 +7,7 @@
 
 ALBEDO_FUZZ_TARGET(value) {
   using namespace albedo;
+  input = fuzz::argument(input);
   using fuzz::accepts, fuzz::require;
   const auto are_finite = [](const std::vector<double>& values) {
     require(!values.empty() && std::ranges::all_of(values, [](double v) { return std::isfinite(v); }),
