@@ -25,7 +25,7 @@ class HostileJournal : public OutputDirectory {
 
 TEST_F(HostileJournal, DeepNestingIsRefused) {
   const std::string begin = R"({"tiles":0,"command":"","computation":)";
-  for (const std::size_t deep : {std::size_t{32}, std::size_t{100'000}}) {
+  for (const std::size_t deep : {std::size_t{34}, std::size_t{100'000}}) {
     EXPECT_TRUE(contains(refusal_of(begin + repeated("[", deep) + repeated("]", deep) + "}"), "nested too deeply"));
     EXPECT_TRUE(contains(refusal_of(begin + repeated(R"({"a":)", deep) + "1" + repeated("}", deep) + "}"),
                          "nested too deeply"));
