@@ -20,14 +20,18 @@ class UnfinishedTable {
   /// Computes two of the three tiles, then all of them elsewhere.
   UnfinishedTable() {
     {
-      analysis::TiledTable table(source_, document_axes(), directory_.path("t.npy"), options(false));
+      analysis::TiledTable table(analysis::Entries::of(source_), document_axes(), directory_.path("t.npy"),
+                                 options(false));
       analysis::LocalClaims claims(tiles - 1);
       table.fill(claims);
     }
     part_ = directory_.read("t.npy.part");
     journal_ = directory_.read("t.npy.journal");
-    analysis::TiledTable whole(source_, document_axes(), directory_.path("whole.npy"), options(false));
-    values_ = filled(whole);
+    analysis::TiledTable whole(analysis::Entries::of(source_), document_axes(), directory_.path("whole.npy"),
+                               options(false));
+    analysis::LocalClaims claims(tiles);
+    whole.fill(claims);
+    values_ = values_of(whole);
   }
 
   [[nodiscard]] const std::string& part() const { return part_; }
@@ -38,9 +42,12 @@ class UnfinishedTable {
     static_cast<void>(directory_.write("t.npy.part", part));
     static_cast<void>(directory_.write("t.npy.journal", journal));
     accepts<Error>([&] {
-      analysis::TiledTable table(source_, document_axes(), directory_.path("t.npy"), options(true));
-      require(filled(table) == values_, "a resumed table with other entries");
-      require(table.verified() + table.damaged() <= tiles, "more tiles verified than there are");
+      analysis::TiledTable table(analysis::Entries::of(source_), document_axes(), directory_.path("t.npy"),
+                                 options(true));
+      analysis::LocalClaims claims(tiles);
+      const analysis::FilledTiles all = table.fill(claims);
+      require(values_of(table) == values_, "a resumed table with other entries");
+      require(all.verified + all.computed == tiles && all.damaged <= all.computed, "tiles that don't add up");
     });
   }
 
@@ -55,9 +62,7 @@ class UnfinishedTable {
     return result;
   }
 
-  std::vector<double> filled(analysis::TiledTable& table) const {
-    analysis::LocalClaims claims(tiles);
-    table.fill(claims);
+  std::vector<double> values_of(const analysis::TiledTable& table) const {
     std::vector<double> values;
     for (std::size_t i = 0; i < source_.size(); ++i) values.push_back(table.value(i));
     return values;

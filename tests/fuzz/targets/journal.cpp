@@ -9,7 +9,7 @@ ALBEDO_FUZZ_TARGET(journal) {
       R"({"tolerance": 1e-3, "axes": {"rho": {"from": 0.25, "to": 0.75, "count": 3}}, "tile": 2})");
   for (const std::string& bytes : {std::string(input), fuzz::repaired(std::string(input))}) {
     fuzz::accepts<WriteError>([&] {
-      const analysis::TileJournal journal(directory.write("journal", bytes));
+      const analysis::TileJournal journal(directory.write("journal", bytes), analysis::TileJournal::Access::owned);
       const std::size_t count = journal.count();
       fuzz::require(count <= journal.head().tiles, "more finished tiles than there are");
       static_cast<void>(analysis::difference(journal.head().computation, computation));
