@@ -14,7 +14,7 @@ class HostileJournal : public OutputDirectory {
     file.write(reinterpret_cast<const char*>(numbers.data()), sizeof numbers) << head;
     file << std::string((64 - (32 + head.size()) % 64) % 64, ' ');
     file.close();
-    return message_of<WriteError>([&] { TileJournal journal(path("t.journal")); });
+    return message_of<WriteError>([&] { TileJournal journal(path("t.journal"), TileJournal::Access::owned); });
   }
   static std::string repeated(const std::string& text, std::size_t times) {
     std::string result;
