@@ -1,14 +1,18 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <mutex>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/larger.hpp"
+#include "albedo/table_source.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/table_fills.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/studies/albedo_proxy.hpp"
+#include "analysis/studies/parallel.hpp"
 #include "analysis/studies/table_growth.hpp"
 
 namespace albedo::analysis {
@@ -19,27 +23,87 @@ using Json = nlohmann::ordered_json;
 /// A table filled from a proxy.
 class ProxyTable {
  public:
-  ProxyTable(const AlbedoProxy& proxy, const std::vector<TableAxis>& axes, double node_error, int threads)
-      : proxy_(proxy), values_(proxy.fill(axes, threads)) {
+  ProxyTable(const AlbedoProxy& proxy, const ProxyEntries& entries, const std::vector<TableAxis>& axes, int threads)
+      : values_(proxy.fill(axes, threads)), evaluations_(proxy.evaluations()) {
+    // where the tolerance is missed, no entry is known to meet it
+    if (!proxy.is_reached()) unconverged_ = values_.size();
     double largest = 0;
     for (const double value : values_) keep_larger(largest, std::abs(value));
-    worst_error_ = (proxy.error() + node_error) * std::max(proxy.largest(), largest);
-    interpolation_error_ = albedo::analysis::interpolation_error(
-        axes, values_, [&](const std::vector<TableAxis>& over) { return proxy.fill(over, 1); });
+    worst_error_ = proxy.error() * std::max(proxy.largest(), largest);
+    bool is_series = true;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      is_series = is_series && (proxy.is_series(i) || axes[i].values.size() == 1);
+    }
+    interpolation_error_ =
+        albedo::analysis::interpolation_error(axes, values_, [&](const std::vector<TableAxis>& over) {
+          std::vector<double> place;
+          for (const TableAxis& axis : over) place.push_back(axis.values.front());
+          if (is_series) return std::vector{proxy(place)};
+          const ProxySamples sample = entries(place);  // between entries there is nothing but integration
+          evaluations_ += sample.evaluations;
+          return sample.values;
+        });
   }
 
-  [[nodiscard]] const std::vector<double>& values() const { return values_; }
+  [[nodiscard]] std::vector<double> values() && { return std::move(values_); }
+  [[nodiscard]] const std::vector<double>& values() const& { return values_; }
   [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
   [[nodiscard]] double worst_error() const { return worst_error_; }
   [[nodiscard]] double interpolation_error() const { return interpolation_error_; }
-  [[nodiscard]] std::size_t unconverged() const { return proxy_.unconverged(); }
+  [[nodiscard]] std::size_t unconverged() const { return unconverged_; }
   [[nodiscard]] std::size_t divergent() const { return 0; }
-  [[nodiscard]] std::int64_t evaluations() const { return proxy_.evaluations(); }
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
  private:
-  const AlbedoProxy& proxy_;
   std::vector<double> values_, errors_;
   double worst_error_ = 0, interpolation_error_ = 0;
+  std::size_t unconverged_ = 0;
+  std::int64_t evaluations_;
+};
+
+/// Integrates at any places within the axes, in parallel.
+class Integrations {
+ public:
+  Integrations(const TableRequest& request, const TableOptions& options)
+      : source_(request.model, request.fixed, box(request.axes), options),
+        progress_(options.progress),
+        dimensions_(request.axes.size()) {}
+
+  [[nodiscard]] ProxySamples operator()(const std::vector<double>& places) const {
+    constexpr std::size_t run = 32, shown = 10'000;
+    const std::size_t count = places.size() / dimensions_;
+    ProxySamples samples{.values = std::vector<double>(count), .errors = std::vector<double>(count)};
+    std::mutex mutex;
+    in_parallel((count + run - 1) / run, source_.threads(),
+                [&](std::size_t part) {
+                  TableSource::Worker worker(source_);
+                  std::int64_t evaluations = 0;
+                  for (std::size_t k = part * run; k < std::min(count, (part + 1) * run); ++k) {
+                    const auto begin = places.begin() + static_cast<std::ptrdiff_t>(k * dimensions_);
+                    const Estimate a = worker.at({begin, begin + static_cast<std::ptrdiff_t>(dimensions_)});
+                    samples.values[k] = a.value;
+                    samples.errors[k] = a.error;
+                    evaluations += a.evaluations;
+                  }
+                  const std::lock_guard lock(mutex);
+                  samples.evaluations += evaluations;
+                },
+                count > shown ? progress_ : ProgressCallback{});
+    return samples;
+  }
+
+ private:
+  static std::vector<TableAxis> box(std::vector<TableAxis> axes) {
+    for (TableAxis& axis : axes) {
+      const auto [least, largest] = std::ranges::minmax(axis.values);
+      axis.values = {least, largest};
+    }
+    return axes;
+  }
+
+  TableSource source_;
+  ProgressCallback progress_;
+  std::size_t dimensions_;
 };
 
 }  // namespace
@@ -49,10 +113,8 @@ int fill_from_proxy(const TableArguments& arguments, const TableRequest& request
   constexpr double share = 20;  // of the tolerance
   const double tolerance = arguments.options.tolerance.value_or(ProxyOptions{}.tolerance);
   options.albedo.tolerance = is_monte_carlo(options.albedo.rule) ? tolerance : std::max(tolerance / share, 1e-13);
-  const ProxyEntries entries = [&](const std::vector<TableAxis>& over) {
-    const AlbedoTable table(request.model, request.fixed, over, options);
-    return ProxySamples{table.values(), table.unconverged(), table.evaluations()};
-  };
+  const Integrations integrations(request, options);
+  const ProxyEntries entries = std::cref(integrations);
   const AlbedoProxy proxy(request.axes, entries,
                           {.tolerance = tolerance,
                            .verified = static_cast<std::size_t>(arguments.verified),
@@ -63,7 +125,7 @@ int fill_from_proxy(const TableArguments& arguments, const TableRequest& request
         "--fill proxy needs finite albedos, and one within these axes is not: keep away from grazing "
         "incidence, or fill directly");
   }
-  const ProxyTable table(proxy, request.axes, options.albedo.tolerance, arguments.options.threads);
+  ProxyTable table(proxy, entries, request.axes, arguments.options.threads);
   Json worst = Json::object();
   for (std::size_t i = 0; i < request.axes.size() && !proxy.worst_place().empty(); ++i) {
     worst[request.axes[i].name] = proxy.worst_place()[i];
@@ -75,10 +137,14 @@ int fill_from_proxy(const TableArguments& arguments, const TableRequest& request
                          {"relative_error", proxy.error()},
                          {"worst_place", worst},
                          {"is_reached", proxy.is_reached()}};
-  const int code = conclude(arguments, Filled(request.document_axes(), table), 0, std::move(provenance), seconds());
+  const int code =
+      conclude(arguments, Filled(request.document_axes(), std::move(table)), 0, std::move(provenance), seconds());
   if (proxy.is_reached()) return code;
-  std::cerr << "albedo: --fill proxy is off by up to " << number_text(proxy.error(), 3)
-            << " of the largest albedo; asked for were " << number_text(tolerance, 3) << '\n';
+  std::cerr << "albedo: --fill proxy "
+            << (std::isfinite(proxy.error())
+                    ? "is off by up to " + number_text(proxy.error(), 3) + " of the largest albedo"
+                    : "bounds no error, as an integration it needs did not converge")
+            << "; asked for were " << number_text(tolerance, 3) << '\n';
   return code == exit_code::done ? exit_code::not_converged : code;
 }
 

@@ -149,6 +149,7 @@ int run(const TableArguments& arguments, const std::string& command_line) {
   const bool in_tiles = is_tiled(arguments, by_channel);
   if (arguments.fill == Fill::proxy) {
     if (by_channel) throw ParameterError("--fill proxy is of one channel: give channel=" + request.channels.front());
+    quiet.progress = options.progress;
     return fill_from_proxy(arguments, request, quiet, std::move(provenance), seconds);
   }
   if (in_tiles) return run_tiled(arguments, request, options, std::move(provenance), seconds);

@@ -31,7 +31,7 @@ struct TableArguments {
   std::string materials, output, log;
   bool summary = false, errors = false, resume = false;
   Fill fill = Fill::direct;
-  int verified = 1000;                 ///< random places at which a proxy is compared with integrations
+  int verified = 250;                  ///< random places at which a proxy is compared with integrations
   int tile = 0;                        ///< entries of a tile of a .npy; 0: as many as suit it
   TableGrowth growth{.max_error = 0};  ///< 0: the table doesn't grow
   std::vector<Assertion> assertions;
@@ -53,7 +53,7 @@ struct Filled : Known {
   const std::vector<double>& errors;
 
   template <class Table>
-  Filled(std::vector<Axis> of_document, const Table& table)
+  Filled(std::vector<Axis> of_document, Table&& table)
       : Known{.axes = std::move(of_document),
               .entries = table.values().size(),
               .worst_error = table.worst_error(),
@@ -62,7 +62,7 @@ struct Filled : Known {
               .unconverged = table.unconverged(),
               .divergent = table.divergent(),
               .evaluations = table.evaluations()},
-        values(table.values()),
+        values(std::forward<Table>(table).values()),
         errors(table.errors()) {}
 
  private:

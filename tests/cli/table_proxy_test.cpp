@@ -35,7 +35,30 @@ TEST_F(CliTest, ProxyTableSaysWhereItMissesItsTolerance) {
       run_albedo({"table", "kurt", "m=0.1:0.5:9", "equation=9", "cos_theta=0.05:1:9", "-o", "k.json", "--fill", "proxy",
                   "--tolerance", "1e-12", "--verify", "10", "--budget", "2000"});
   EXPECT_EQ(outcome.code, 3) << outcome.err;
-  EXPECT_NE(outcome.err.find("--fill proxy is off by up to"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--fill proxy bounds no error"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("81 of 81 results did not reach the tolerance"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CliTest, ProxyTableReachesItsToleranceAcrossAKink) {
+  const auto table = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"table", "cook_torrance", "m=0.3:0.5:40", "cos_theta=0.1:1:60", "-o", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_albedo(arguments);
+  };
+  ASSERT_EQ(table("direct.json", {"--tolerance", "1e-7"}).code, 0);
+  const Outcome proxy = table("proxy.json", {"--fill", "proxy", "--verify", "50"});
+  ASSERT_EQ(proxy.code, 0) << proxy.err;
+  const Json a = Json::parse(read_text("direct.json"))["albedo"].flatten(),
+             b = Json::parse(read_text("proxy.json"))["albedo"].flatten();
+  for (const auto& [key, value] : a.items()) EXPECT_NEAR(value.get<double>(), b[key].get<double>(), 1.1e-6) << key;
+}
+
+TEST_F(CliTest, ProxyTableOfAnInfiniteAlbedoIsRefused) {
+  const Outcome outcome = run_albedo(
+      {"table", "ward", "alpha=0.2:0.5:20", "cos_theta=0:1:20", "-o", "w.json", "--fill", "proxy", "--verify", "10"});
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_NE(outcome.err.find("needs finite albedos"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(files().empty());
 }
 
 TEST_F(CliTest, ProxyTableRefusesWrongInput) {
