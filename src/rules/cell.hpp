@@ -37,6 +37,7 @@ struct Cell {
   S error_u = std::numeric_limits<S>::infinity(), error_v = std::numeric_limits<S>::infinity();
   bool hides_feature = false;
   bool divide_u = false;
+  bool turning = false;
   bool rough = false;  // bisected since raising the order didn't help, or layered
 
   [[nodiscard]] S error() const { return error_u + error_v; }

@@ -29,6 +29,7 @@ class ProductRule {
       cell.u.order = std::clamp(cell.u.order, 4, most_checked(cell.u.kind));
       cell.v.order = std::clamp(cell.v.order, cell.v.kind == AxisKind::interval ? 4 : 2, most_nodes(cell.v.kind) / 4);
       cell.rough = panel.layered;
+      cell.turning = panel.turning && cell.v.kind != AxisKind::interval;
       if (!allows(std::int64_t{cell.u.order} * cell.v.order)) return unaffordable();
       measure(cell);
     }
@@ -247,7 +248,8 @@ class ProductRule {
       const S other = area * (coefficient(before, cell.rows, k) - coefficient(after, cell.rows, k)) / part;
       size = std::max<S>(size, other < 0 ? S(-other) : other);
     }
-    constexpr int rough = 8;
+    constexpr int rough = 8, turning = 2;
+    if (cell.turning) return turning * size;
     const Resolution<S>& now = cell.along_v;
     const int terms = after.terms;
     if (cell.rough || (above_noise(cell, now) && now.slow(terms))) return rough * size;
@@ -365,6 +367,7 @@ class ProductRule {
     constexpr int order = 24;
     Cell<S> half = cell;
     half.rough = true;
+    half.turning = false;
     half.extensions = 0;
     (along_u ? half.u : half.v) = {AxisKind::interval, order};
     if (!allows(2 * std::int64_t{half.u.order} * half.v.order)) return false;

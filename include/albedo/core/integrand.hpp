@@ -37,6 +37,7 @@ struct Panel {
   std::vector<Feature> features{};
   bool tracked = true;   ///< false: large somewhere that isn't announced; no result is to be believed
   bool layered = false;  ///< has narrow layers of small amplitude: a rule's own reading of its error misses them
+  bool turning = false;  ///< layered along v only, by what doubling a turn's nodes leaves less of than it changes
   bool edged =
       false;  ///< steps to 0 at an edge inside, which may hide between a cell's outermost points and its border
 };

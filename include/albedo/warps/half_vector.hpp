@@ -32,6 +32,7 @@ class HalfVectorWarp {
   HalfVectorWarp(const Lobe& lobe, const Direction& l, double tolerance)
       : profile_(lobe.profile),
         symmetric_(mirror_symmetric(lobe, l)),
+        turning_(lobe.horizon_layer && lobe.width_x != lobe.width_y),
         alpha_x_(lobe.width_x),
         alpha_y_(lobe.width_y),
         l_(unit_vector<S>(l)),
@@ -48,7 +49,7 @@ class HalfVectorWarp {
     // Smith's Λ has a cone at V = N, rounded over an angle of 1/α: a point inside the domain of wide lobes
     const double widest = std::max(lobe.width_x, lobe.width_y);
     const bool cone = lobe.horizon_layer && widest >= (profile_ == Profile::ggx ? 1.5 : 0.3);
-    rough_ = cone || (horizon_layer_ && alpha_x_ != alpha_y_);
+    rough_ = cone || turning_;
     digits_ = -std::log10(tolerance);
     split(lobe);
   }
@@ -357,6 +358,7 @@ class HalfVectorWarp {
       }
       panels_.push_back({radial, {kind, azimuth_order(kind, extent, edges.size() > 2)}, {}});
       panels_.back().layered = rough_;
+      panels_.back().turning = turning_;
     }
   }
 
@@ -391,7 +393,7 @@ class HalfVectorWarp {
     int order = turn_.order(kind, extent, digits_, 1.2);
     // masking turns with the viewer's azimuth, faster than the lobe's own shape; slopes above 1 bring L near the
     // facets' planes
-    if (horizon_layer_ && alpha_x_ != alpha_y_) order *= 3;
+    if (horizon_layer_ && turning_) order = profile_ == Profile::ggx ? 3 * order : order + order / 2;
     if (profile_ == Profile::ggx && widest_ > 1.5) order += 2 * static_cast<int>(digits_);
     if (horizon_exponent_ < 0) order += order / 2;
     if (kind == AxisKind::interval) order += static_cast<int>(0.4 * digits_);
@@ -406,7 +408,7 @@ class HalfVectorWarp {
     if (profile_ == Profile::ggx) {  // the tail's length, in decades
       const double decades = std::asinh(1 / static_cast<double>(min(alpha_x_, alpha_y_)));
       nodes = (horizon_layer_ ? 15 + 3.2 * decades : 8.5 + 3.8 * decades) + 2.6 * grazing + (widest_ > 1.5 ? 28 : 0);
-      if (alpha_x_ != alpha_y_) nodes *= 1.4;
+      if (alpha_x_ != alpha_y_) nodes *= turning_ ? 1.2 : 1.4;
     } else if (ends.left > 1 || ends.right > 1) {
       nodes = ends.right > 1 && ends.right != 2 ? 31 : ends.left > 1 ? 26 : 21;
     } else if (begin > 0) {
@@ -414,12 +416,14 @@ class HalfVectorWarp {
     } else if (edges.size() > 2) {
       nodes = grazing > 1.5 ? 15 : 13.5;
     }
+    if (turning_ && profile_ != Profile::ggx) nodes *= 1.3;
     if (!stretch_) nodes *= (7 + 1.6 * longest) / 15;  // a whole lobe is 5 long
     return static_cast<int>(nodes * (2 + digits_) / 10);
   }
 
   Profile profile_;
   bool symmetric_;
+  bool turning_;  // masking that depends on the viewer's azimuth
   bool stretch_ = false;
   S alpha_x_, alpha_y_, widest_;
   UnitVector<S> l_;
