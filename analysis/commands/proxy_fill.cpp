@@ -106,46 +106,84 @@ class Integrations {
   std::size_t dimensions_;
 };
 
-}  // namespace
+/// The proxy that was asked for.
+AlbedoProxy proxy_of(const TableArguments& arguments, const TableRequest& request, const ProxyEntries& entries) {
+  AlbedoProxy proxy(request.axes, entries,
+                    {.tolerance = arguments.options.tolerance.value_or(ProxyOptions{}.tolerance),
+                     .verified = static_cast<std::size_t>(arguments.verified),
+                     .seed = arguments.options.seed,
+                     .threads = arguments.options.threads});
+  if (std::isfinite(proxy.largest())) return proxy;
+  throw ParameterError(
+      "--fill proxy needs finite albedos, and one within these axes is not: keep away from grazing "
+      "incidence, or fill directly");
+}
 
-int fill_from_proxy(const TableArguments& arguments, const TableRequest& request, TableOptions options, Json provenance,
-                    const std::function<double()>& seconds) {
-  constexpr double share = 20;  // of the tolerance
-  const double tolerance = arguments.options.tolerance.value_or(ProxyOptions{}.tolerance);
-  options.albedo.tolerance = is_monte_carlo(options.albedo.rule) ? tolerance : std::max(tolerance / share, 1e-13);
-  const Integrations integrations(request, options);
-  const ProxyEntries entries = std::cref(integrations);
-  const AlbedoProxy proxy(request.axes, entries,
-                          {.tolerance = tolerance,
-                           .verified = static_cast<std::size_t>(arguments.verified),
-                           .seed = arguments.options.seed,
-                           .threads = arguments.options.threads});
-  if (!std::isfinite(proxy.largest())) {
-    throw ParameterError(
-        "--fill proxy needs finite albedos, and one within these axes is not: keep away from grazing "
-        "incidence, or fill directly");
-  }
-  ProxyTable table(proxy, entries, request.axes, arguments.options.threads);
+Json describe(const AlbedoProxy& proxy, const TableArguments& arguments, const TableRequest& request) {
   Json worst = Json::object();
   for (std::size_t i = 0; i < request.axes.size() && !proxy.worst_place().empty(); ++i) {
     worst[request.axes[i].name] = proxy.worst_place()[i];
   }
-  provenance["proxy"] = {{"tolerance", tolerance},
-                         {"coefficients", proxy.sizes()},
-                         {"integrations", proxy.integrations()},
-                         {"verified_places", arguments.verified},
-                         {"relative_error", proxy.error()},
-                         {"worst_place", worst},
-                         {"is_reached", proxy.is_reached()}};
-  const int code =
-      conclude(arguments, Filled(request.document_axes(), std::move(table)), 0, std::move(provenance), seconds());
+  return {{"tolerance", proxy.tolerance()},       {"coefficients", proxy.sizes()},
+          {"integrations", proxy.integrations()}, {"verified_places", arguments.verified},
+          {"relative_error", proxy.error()},      {"worst_place", worst},
+          {"is_reached", proxy.is_reached()}};
+}
+
+/// Complains of a proxy that misses its tolerance; the exit code.
+int judged(const AlbedoProxy& proxy, int code) {
   if (proxy.is_reached()) return code;
   std::cerr << "albedo: --fill proxy "
             << (std::isfinite(proxy.error())
                     ? "is off by up to " + number_text(proxy.error(), 3) + " of the largest albedo"
                     : "bounds no error, as an integration it needs did not converge")
-            << "; asked for were " << number_text(tolerance, 3) << '\n';
+            << "; asked for were " << number_text(proxy.tolerance(), 3) << '\n';
   return code == exit_code::done ? exit_code::not_converged : code;
+}
+
+/// Entries of tiles. Their errors are the proxy's.
+TileFill proxy_entries(std::shared_ptr<const AlbedoProxy> proxy, const TableArguments& arguments,
+                       const TableRequest& request, int threads) {
+  const auto make_worker = [filler = AlbedoProxy::Filler(*proxy, request.axes)] {
+    return [own = filler](std::size_t first, std::span<double> values) mutable {
+      own.fill(first, values);
+      return TableTally{};
+    };
+  };
+  const auto complete = [proxy, &arguments, &request](Known& known, Json& provenance) {
+    provenance["proxy"] = describe(*proxy, arguments, request);
+    known.worst_error = proxy->error() * proxy->largest();
+    known.evaluations += proxy->evaluations();
+    if (!proxy->is_reached()) known.unconverged = known.entries;
+  };
+  return {.entries = {.axes = request.axes, .threads = threads, .make_worker = make_worker},
+          .tile = std::size_t{1} << 18U,  // there is little to lose, and the disk takes longer than the entries
+          .complete = complete,
+          .judge = [proxy](int code) { return judged(*proxy, code); }};
+}
+
+}  // namespace
+
+int fill_from_proxy(const TableArguments& arguments, const TableRequest& request, TableOptions options, bool in_tiles,
+                    Json provenance, const std::function<double()>& seconds) {
+  constexpr double share = 20;  // of the tolerance
+  const double tolerance = arguments.options.tolerance.value_or(ProxyOptions{}.tolerance);
+  options.albedo.tolerance = is_monte_carlo(options.albedo.rule) ? tolerance : std::max(tolerance / share, 1e-13);
+  const Integrations integrations(request, options);
+  const ProxyEntries entries = std::cref(integrations);
+  if (in_tiles) {
+    options.verified_cells = TableOptions{}.verified_cells;
+    const auto make_fill = [&](const TableSource& source) {
+      return proxy_entries(std::make_shared<AlbedoProxy>(proxy_of(arguments, request, entries)), arguments, request,
+                           source.threads());
+    };
+    return run_tiled(arguments, request, options, make_fill, std::move(provenance), seconds);
+  }
+  const AlbedoProxy proxy = proxy_of(arguments, request, entries);
+  ProxyTable table(proxy, entries, request.axes, arguments.options.threads);
+  provenance["proxy"] = describe(proxy, arguments, request);
+  return judged(proxy, conclude(arguments, Filled(request.document_axes(), std::move(table)), 0, std::move(provenance),
+                                seconds()));
 }
 
 }  // namespace albedo::analysis

@@ -150,9 +150,9 @@ int run(const TableArguments& arguments, const std::string& command_line) {
   if (arguments.fill == Fill::proxy) {
     if (by_channel) throw ParameterError("--fill proxy is of one channel: give channel=" + request.channels.front());
     quiet.progress = options.progress;
-    return fill_from_proxy(arguments, request, quiet, std::move(provenance), seconds);
+    return fill_from_proxy(arguments, request, quiet, in_tiles, std::move(provenance), seconds);
   }
-  if (in_tiles) return run_tiled(arguments, request, options, std::move(provenance), seconds);
+  if (in_tiles) return run_tiled(arguments, request, options, integrated_entries, std::move(provenance), seconds);
   const auto in_channel = [&](const std::string& channel) {
     Parameters fixed = request.fixed;
     if (by_channel) fixed.emplace_back(model_info(request.model).channel()->name, channel);

@@ -11,7 +11,6 @@
 #include "analysis/commands/table_fills.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/ranks/ranks.hpp"
-#include "analysis/tiles/tiled_table.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -23,6 +22,7 @@ Json computation_of(const TableArguments& arguments, const TableRequest& request
   Json computation = provenance;
   computation.erase("command");
   computation["compiler"] = __VERSION__;
+  if (arguments.fill == Fill::proxy) computation["proxy"] = {{"verified_places", arguments.verified}};
   if (arguments.model.corrections.any()) computation["corrections"] = corrections_json(arguments.model.corrections);
   arguments.options.describe(computation);
   computation["budget"] = arguments.options.budget;
@@ -49,14 +49,14 @@ FilledTiles merged(Ranks& ranks, const FilledTiles& own) {
 }  // namespace
 
 bool is_tiled(const TableArguments& arguments, bool by_channel) {
-  const bool is_plain = arguments.materials.empty() && arguments.fill == Fill::direct && !arguments.errors &&
-                        !by_channel && arguments.growth.max_error == 0 && arguments.growth.bits == 0;
+  const bool is_plain = arguments.materials.empty() && !arguments.errors && !by_channel &&
+                        arguments.growth.max_error == 0 && arguments.growth.bits == 0;
   const bool result = is_plain && can_be_tiled(arguments.output);
   const auto refuse = [&](const std::string& what) {
     if (result) return;
     throw ParameterError(what +
-                         " a .npy file of one model and channel, without --errors, --max-error, --bits, "
-                         "--fill proxy and --materials");
+                         " a .npy file of one model and channel, without --errors, --max-error, --bits "
+                         "and --materials");
   };
   if (arguments.resume) refuse("--resume continues");
   if (!arguments.log.empty()) refuse("--log is of");
@@ -67,19 +67,23 @@ bool is_tiled(const TableArguments& arguments, bool by_channel) {
   return result;
 }
 
+TileFill integrated_entries(const TableSource& source) { return {.entries = Entries::of(source)}; }
+
 int run_tiled(const TableArguments& arguments, const TableRequest& request, const TableOptions& options,
-              Json provenance, const std::function<double()>& seconds) {
+              const MakeTileFill& make_fill, Json provenance, const std::function<double()>& seconds) {
   const std::unique_ptr<Ranks> ranks = join_ranks();
   std::optional<TableSource> source;
+  TileFill fill;
   std::optional<TiledTable> table;
   const auto open = [&] {
     source.emplace(request.model, request.fixed, request.axes, options);
-    table.emplace(Entries::of(*source), request.document_axes(), arguments.output,
+    fill = make_fill(*source);
+    table.emplace(fill.entries, request.document_axes(), arguments.output,
                   TilingOptions{.command = provenance["command"].get<std::string>(),
                                 .computation = computation_of(arguments, request, provenance),
                                 .resume = arguments.resume,
                                 .is_owner = ranks->is_first(),
-                                .tile = static_cast<std::size_t>(arguments.tile)});
+                                .tile = arguments.tile > 0 ? static_cast<std::size_t>(arguments.tile) : fill.tile});
   };
   ranks->together([&] {
     if (ranks->is_first()) open();
@@ -114,14 +118,16 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
     const EntryAt value = [&](std::size_t entry) { return table->value(entry); };
     const TableSource::Interpolation interpolation = source->interpolation(value);
     const TableTally& tally = filled.tally;
-    const Known known{.axes = request.document_axes(),
-                      .entries = source->size(),
-                      .worst_error = std::max(tally.worst_error, 0.0),
-                      .interpolation_error = interpolation.error,
-                      .worst_entry = tally.worst_entry,
-                      .unconverged = tally.unconverged,
-                      .divergent = tally.divergent,
-                      .evaluations = tally.evaluations + interpolation.evaluations};
+    Known known{.axes = request.document_axes(),
+                .entries = source->size(),
+                .worst_error = std::max(tally.worst_error, 0.0),
+                .interpolation_error = interpolation.error,
+                .worst_entry = tally.worst_entry,
+                .unconverged = tally.unconverged,
+                .divergent = tally.divergent,
+                .evaluations = tally.evaluations + interpolation.evaluations};
+    if (tally.worst_error < 0) known.worst_entry.reset();
+    if (fill.complete) fill.complete(known, provenance);
     provenance["command"] = table->command();
     complete(provenance, arguments, known);
     table->commit({.axes = known.axes, .provenance = provenance});
@@ -130,6 +136,7 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
     ended["tiles"] = {{"computed", filled.computed}, {"verified", filled.verified}, {"damaged", filled.damaged}};
     progress->note("ends: " + json_text(ended));
     code = report(arguments, known, value, provenance, seconds());
+    if (fill.judge) code = fill.judge(code);
   });
   return std::stoi(ranks->gather(std::to_string(code)).front());
 }

@@ -94,6 +94,7 @@ class AlbedoProxy {
   [[nodiscard]] const std::vector<double>& worst_place() const {
     return worst_place_;
   }  ///< none if nothing is a series
+  [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] bool is_reached() const { return error_ <= tolerance_; }
   [[nodiscard]] std::size_t integrations() const { return integrations_; }  ///< with those of the verification
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }

@@ -1,3 +1,4 @@
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -30,6 +31,29 @@ TEST_F(CliTest, ProxyTableIsTheDirectOne) {
   }
 }
 
+TEST_F(CliTest, ProxyTableInTilesIsTheOneInMemory) {
+  const auto table = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "table", "ggx", "alpha=0.2:1:60", "cos_theta=0.05:1:50", "--fill", "proxy", "--verify", "20", "-o", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_albedo(arguments);
+  };
+  ASSERT_EQ(table("memory.json", {}).code, 0);
+  const Json entries = Json::parse(read_text("memory.json"))["albedo"].flatten();
+  for (const std::string tile : {"7", "64", "3000"}) {
+    const Outcome outcome = table("tiles.npy", {"--tile", tile, "--summary"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_LE(Json::parse(outcome.err)["proxy"]["relative_error"], 1e-6);
+    const std::string bytes = read_text("tiles.npy");
+    const std::size_t header = bytes.size() - 3000 * sizeof(double);
+    for (std::size_t i = 0; i < 3000; ++i) {
+      double entry = 0;
+      std::memcpy(&entry, bytes.data() + header + i * sizeof entry, sizeof entry);
+      ASSERT_EQ(entry, entries["/" + std::to_string(i / 50) + "/" + std::to_string(i % 50)].get<double>()) << i;
+    }
+  }
+}
+
 TEST_F(CliTest, ProxyTableSaysWhereItMissesItsTolerance) {
   const Outcome outcome =
       run_albedo({"table", "kurt", "m=0.1:0.5:9", "equation=9", "cos_theta=0.05:1:9", "-o", "k.json", "--fill", "proxy",
@@ -37,6 +61,11 @@ TEST_F(CliTest, ProxyTableSaysWhereItMissesItsTolerance) {
   EXPECT_EQ(outcome.code, 3) << outcome.err;
   EXPECT_NE(outcome.err.find("--fill proxy bounds no error"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("81 of 81 results did not reach the tolerance"), std::string::npos) << outcome.err;
+  const Outcome in_tiles =
+      run_albedo({"table", "kurt", "m=0.1:0.5:9", "equation=9", "cos_theta=0.05:1:9", "-o", "k.npy", "--fill", "proxy",
+                  "--tolerance", "1e-12", "--verify", "10", "--budget", "2000"});
+  EXPECT_EQ(in_tiles.code, 3) << in_tiles.err;
+  EXPECT_EQ(in_tiles.err, outcome.err);
 }
 
 TEST_F(CliTest, ProxyTableReachesItsToleranceAcrossAKink) {
