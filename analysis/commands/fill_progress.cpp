@@ -20,14 +20,19 @@ std::string utc_time() {
   return text;
 }
 
+std::ofstream opened(const std::string& log) {
+  if (log.empty()) return {};
+  std::ofstream file(log, std::ios::app);
+  if (!file) throw cannot_write(log, std::generic_category().message(errno));
+  return file;
+}
+
 }  // namespace
 
+void FillProgress::check(const std::string& log) { opened(log); }
+
 FillProgress::FillProgress(TileClaims& claims, std::size_t total, const std::string& log)
-    : claims_(claims), total_(total) {
-  if (!log.empty()) {
-    log_.open(log, std::ios::app);
-    if (!log_) throw cannot_write(log, std::generic_category().message(errno));
-  }
+    : claims_(claims), total_(total), log_(opened(log)) {
   thread_ = std::thread([this] { watch(); });
 }
 

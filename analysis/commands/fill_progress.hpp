@@ -25,6 +25,9 @@ class FillProgress {
   FillProgress(const FillProgress&) = delete;
   FillProgress& operator=(const FillProgress&) = delete;
 
+  /// Throws the WriteError that this log would meet: to be called before anything else is written.
+  static void check(const std::string& log);
+
   /// The thread ends, and the bar goes.
   void stop();
 

@@ -76,6 +76,7 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
   TileFill fill;
   std::optional<TiledTable> table;
   const auto open = [&] {
+    if (ranks->is_first()) FillProgress::check(arguments.log);
     source.emplace(request.model, request.fixed, request.axes, options);
     fill = make_fill(*source);
     table.emplace(fill.entries, request.document_axes(), arguments.output,

@@ -75,6 +75,10 @@ TEST_F(CliTest, ResumeBeginsWhatIsNotBegunAndRefusesWhatIsNotTiled) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("--resume continues a .npy"), std::string::npos) << outcome.err;
   }
+  std::filesystem::remove("t.npy");
+  std::filesystem::remove("t.json");
+  EXPECT_EQ(run_albedo({"table", "lambert", "-o", "t.npy", "--log", "nowhere/log"}).code, 4);
+  EXPECT_EQ(files(), std::vector<std::string>{});
 }
 
 TEST_F(CliTest, AssertionsOfATiledTableAreThoseOfOneInMemory) {
