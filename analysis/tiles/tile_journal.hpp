@@ -50,8 +50,8 @@ class TileJournal {
   /// The record of a tile, or none if it isn't finished (or was being recorded in a crash).
   [[nodiscard]] std::optional<TileRecord> find(std::size_t tile) const;
 
-  /// Records a tile that is on the disk. The end of this process doesn't harm the record; a power cut takes those of
-  /// the last second, or until synchronise().
+  /// Records a tile that is on the disk. The end of this process doesn't harm the record; a power cut may take the
+  /// last ones, as they are forced to the disk once a second at most.
   void record(std::size_t tile, const TileRecord& record);
 
   /// Returns when the records are on the disk.
