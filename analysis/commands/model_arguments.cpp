@@ -131,8 +131,14 @@ std::vector<Assignment> ModelArguments::assignments() const {
 bool is_combination(const std::string& name) { return name == sum_name || name == coupled_name; }
 
 std::vector<std::string> ModelArguments::channels() const {
-  const std::vector<Written> written =
-      is_combination(model) ? combination_of(model, parameters).parts : std::vector<Written>{{model, assignments()}};
+  std::vector<Written> written;
+  if (is_combination(model)) {
+    written = combination_of(model, parameters).parts;
+  } else {
+    // Not within the braces: GCC 12 destroys the string twice if this throws there.
+    std::vector<Assignment> own = assignments();
+    written.push_back({model, std::move(own)});
+  }
   for (const Written& one : written) {
     if (const ParameterInfo* channel = one.open_channel()) return channel->choices;
   }
