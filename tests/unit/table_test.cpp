@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -127,20 +129,27 @@ TEST(Table, CountsEntriesThatMissTheTolerance) {
   EXPECT_GT(table.worst_error(), 1e-12);
 }
 
+/// Makes models no faster than one in 2 ms: progress is reported ten times a second.
+std::unique_ptr<Model> slowly(std::unique_ptr<Model> model) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  return model;
+}
+
 TEST(Table, ReportsProgressFromTheCallingThread) {
   TableOptions options;
+  options.correction = slowly;
   options.threads = 2;
   options.albedo.tolerance = 1e-10;
   std::size_t last = 0;
   const std::thread::id caller = std::this_thread::get_id();
   options.progress = [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(std::this_thread::get_id(), caller);
-    EXPECT_EQ(total, 40000U);
+    EXPECT_EQ(total, 4000U);
     EXPECT_GT(done, last);
     last = done;
   };
-  AlbedoTable("phong", {}, {{"n", range(1, 1000, 200)}, {"cos_theta", range(0.01, 1, 200)}}, options);
-  EXPECT_LE(last, 40000U);
+  AlbedoTable("phong", {}, {{"n", range(1, 1000, 200)}, {"cos_theta", range(0.01, 1, 20)}}, options);
+  EXPECT_LE(last, 4000U);
   EXPECT_GT(last, 0U);
 }
 
@@ -150,8 +159,9 @@ TEST(Table, CarriesExceptionsOutOfItsThreads) {
   options.albedo.tolerance = 2;  // directional_albedo refuses it
   EXPECT_THROW(AlbedoTable("ggx", {}, {{"cos_theta", range(0, 1, 500)}}, options), ParameterError);
   options.albedo.tolerance = 1e-10;
+  options.correction = slowly;
   options.progress = [](std::size_t, std::size_t) { throw std::runtime_error("stop"); };
-  EXPECT_THROW(AlbedoTable("phong", {}, {{"n", range(1, 1000, 200)}, {"cos_theta", range(0.01, 1, 200)}}, options),
+  EXPECT_THROW(AlbedoTable("phong", {}, {{"n", range(1, 1000, 200)}, {"cos_theta", range(0.01, 1, 20)}}, options),
                std::runtime_error);
 }
 
