@@ -2,7 +2,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -125,12 +124,6 @@ void write_nodes(const Json& provenance, const AlbedoCurve& curve, const std::st
                .errors = errors.data(),
                .provenance = provenance},
               path);
-}
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
 }
 
 bool is_text(const std::string& path) {

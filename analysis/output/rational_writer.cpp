@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <string_view>
 
 #include "albedo/core/errors.hpp"
@@ -14,12 +13,6 @@ namespace albedo::analysis {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending;
-}
 
 std::string identifier(std::string text) {
   std::ranges::replace_if(

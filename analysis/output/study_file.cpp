@@ -12,8 +12,7 @@ namespace albedo::analysis {
 
 bool is_json_path(const std::string& path) {
   if (path == "-") return false;
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = ending_of(path);
   if (ending == ".csv" || ending == ".json") return ending == ".json";
   throw ParameterError("output: '" + path + "' must end in .csv or .json");
 }

@@ -30,12 +30,10 @@ constexpr std::array formats{Format{".csv", write_csv}, Format{".json", write_js
 
 const Format& format_of(const std::string& path) {
   if (path == "-") return formats.front();
-  const std::string ending = std::filesystem::path(path).extension().string();
-  std::string lower = ending;
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto* const found = std::ranges::find(formats, lower, &Format::ending);
+  const auto* const found = std::ranges::find(formats, ending_of(path), &Format::ending);
   if (found != formats.end()) return *found;
 
+  const std::string ending = std::filesystem::path(path).extension().string();
   std::string message = "output: '" + path + "' has ";
   message += ending.empty() ? "no ending" : "the unknown ending '" + ending + "'";
   message += "; valid are";
@@ -55,6 +53,12 @@ void check_entries(const TableDocument& table, const std::string& path) {
 }
 
 }  // namespace
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
 
 std::size_t TableDocument::size() const {
   std::size_t product = 1;

@@ -33,6 +33,9 @@ struct TableDocument {
   [[nodiscard]] std::size_t size() const;
 };
 
+/// The ending of a path with its dot, in lower case: ".csv".
+std::string ending_of(const std::string& path);
+
 /// Writes the table as .csv, .json, .npy, .exr or .hpp, as the ending of `path` says (in any case); "-" is CSV on
 /// standard output.
 /// @throws ParameterError if the ending is none of these, or the format can't hold these axes

@@ -49,7 +49,7 @@ class AlbedoProxy {
   /// only. The proxy must outlive it; a copy shares all but what it remembers of the last row, for another thread.
   class Filler {
    public:
-    /// @throws ParameterError for a value that isn't held, or another number of axes
+    /// @throws ParameterError for a value that isn't held or is outside of the box, or another number of axes
     Filler(const AlbedoProxy& proxy, const std::vector<TableAxis>& axes);
 
     [[nodiscard]] std::size_t size() const { return size_; }  ///< entries

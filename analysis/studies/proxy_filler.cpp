@@ -39,6 +39,12 @@ AlbedoProxy::Filler::Filler(const AlbedoProxy& proxy, const std::vector<TableAxi
     const bool is_last = i + 1 == axes.size();
     Factor factor{.rows = values.size(), .columns = axis.size};
     if (axis.variable) {
+      for (const double value : values) {
+        if (axis.variable->contains(value)) continue;
+        std::ostringstream message;
+        message << "the proxy ends before " << value << " on the axis '" << axis.name << "'";
+        throw ParameterError(message.str());
+      }
       factor.matrix.resize(factor.rows * factor.columns);
       for (std::size_t r = 0; r < factor.rows; ++r) {
         chebyshev(axis.variable->of(values[r]), axis.size, &factor.matrix[is_last ? r : r * axis.size],

@@ -45,6 +45,12 @@ double ProxyVariable::raw(double coordinate) const {
   return std::isinf(shift_) ? coordinate : std::log(coordinate - least_ + shift_);
 }
 
+bool ProxyVariable::contains(double value) const {
+  constexpr double rounding = 1e-12;
+  const double at = coordinate_of(value), slack = rounding * std::max(std::abs(least_), std::abs(largest_));
+  return at >= least_ - slack && at <= largest_ + slack;
+}
+
 double ProxyVariable::of(double value) const {
   if (least_ == largest_) return 0;
   const double a = raw(least_), b = raw(largest_);

@@ -21,8 +21,10 @@ class ProxyVariable {
 
   ProxyVariable(Coordinate coordinate, double least, double largest, double shift);
 
-  [[nodiscard]] double of(double value) const;    ///< in [−1, 1]
-  [[nodiscard]] double value_at(double u) const;  ///< the inverse; of all values with that u, one within the axis
+  /// Whether a value is within the axis, but for rounding; a folded azimuth always is.
+  [[nodiscard]] bool contains(double value) const;
+  [[nodiscard]] double of(double value) const;    ///< in [−1, 1]; what contains() denies counts as the nearer end
+  [[nodiscard]] double value_at(double u) const;  ///< the inverse; of all azimuths with that u, the one in [0, 90]
   [[nodiscard]] Coordinate coordinate() const { return coordinate_; }
 
  private:

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -261,11 +260,9 @@ void TiledTable::commit(const TableDocument& description) {
 }
 
 bool can_be_tiled(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::error_code ignored;
   const fs::file_type type = fs::status(path, ignored).type();
-  return ending == ".npy" && (type == fs::file_type::not_found || type == fs::file_type::regular);
+  return ending_of(path) == ".npy" && (type == fs::file_type::not_found || type == fs::file_type::regular);
 }
 
 Json checksums_of_files(const ModelInfo& model, const Parameters& parameters) {

@@ -59,6 +59,9 @@ TEST(AlbedoProxy, FillsATableFromFewerIntegrationsThanItHasEntries) {
     EXPECT_NEAR(filled[place], exact, 1e-5);
   }
   EXPECT_EQ(filled, proxy.fill(axes, 3));
+  for (const std::vector<double>& outside : {std::vector{1.001, 0.5}, {0.0999, 0.5}, {0.5, 0.0099}, {0.5, NAN}}) {
+    EXPECT_THROW(static_cast<void>(proxy(outside)), ParameterError) << outside[0] << ' ' << outside[1];
+  }
 }
 
 TEST(AlbedoProxy, EntriesDoNotDependOnHowATableIsCut) {

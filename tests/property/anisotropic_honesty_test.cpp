@@ -9,18 +9,20 @@
 namespace albedo {
 namespace {
 
+double within(std::mt19937_64& random, double from, double to) {
+  return std::lerp(from, to, static_cast<double>(random() >> 11) * 0x1p-53);
+}
+
 /// Masking that turns with the viewer's azimuth makes narrow layers: the default rule's claims, over random roughnesses
 /// and directions.
 class AnisotropicHonesty : public testing::TestWithParam<std::string> {};
 
 TEST_P(AnisotropicHonesty, ErrorIsWithinTheClaim) {
   std::mt19937_64 random(7);
-  const auto within = [&](double from, double to) {
-    return std::lerp(from, to, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
   for (int k = 0; k < 400; ++k) {
     const double least = k % 2 == 0 ? 0.1 : 0.02;
-    const double alpha_x = within(least, 1), alpha_y = within(least, 1), cosine = within(0.02, 1), phi = within(0, 90);
+    const double alpha_x = within(random, least, 1), alpha_y = within(random, least, 1),
+                 cosine = within(random, 0.02, 1), phi = within(random, 0, 90);
     const auto model = make_model(GetParam(), {{"alpha_x", alpha_x}, {"alpha_y", alpha_y}});
     const Direction l = Direction::from_cosine(cosine, phi);
     const Estimate exact = directional_albedo(*model, l, {.tolerance = 1e-10});
@@ -35,13 +37,11 @@ TEST_P(AnisotropicHonesty, ErrorIsWithinTheClaim) {
 
 TEST_P(AnisotropicHonesty, EvaluationsAreFew) {
   std::mt19937_64 random(8);
-  const auto within = [&](double from, double to) {
-    return std::lerp(from, to, static_cast<double>(random() >> 11) * 0x1p-53);
-  };
   std::int64_t evaluations = 0;
   constexpr int cases = 200;
   for (int k = 0; k < cases; ++k) {
-    const double alpha_x = within(0.1, 1), alpha_y = within(0.1, 1), cosine = within(0.02, 1), phi = within(0, 90);
+    const double alpha_x = within(random, 0.1, 1), alpha_y = within(random, 0.1, 1), cosine = within(random, 0.02, 1),
+                 phi = within(random, 0, 90);
     const auto model = make_model(GetParam(), {{"alpha_x", alpha_x}, {"alpha_y", alpha_y}});
     evaluations += directional_albedo(*model, Direction::from_cosine(cosine, phi), {.tolerance = 1e-6}).evaluations;
   }
