@@ -119,13 +119,13 @@ AlbedoProxy proxy_of(const TableArguments& arguments, const TableRequest& reques
       "incidence, or fill directly");
 }
 
-Json describe(const AlbedoProxy& proxy, const TableArguments& arguments, const TableRequest& request) {
+Json describe(const AlbedoProxy& proxy, const TableRequest& request) {
   Json worst = Json::object();
   for (std::size_t i = 0; i < request.axes.size() && !proxy.worst_place().empty(); ++i) {
     worst[request.axes[i].name] = proxy.worst_place()[i];
   }
   return {{"tolerance", proxy.tolerance()},       {"coefficients", proxy.sizes()},
-          {"integrations", proxy.integrations()}, {"verified_places", arguments.verified},
+          {"integrations", proxy.integrations()}, {"verified_places", proxy.verified()},
           {"relative_error", proxy.error()},      {"worst_place", worst},
           {"is_reached", proxy.is_reached()}};
 }
@@ -142,16 +142,15 @@ int judged(const AlbedoProxy& proxy, int code) {
 }
 
 /// Entries of tiles. Their errors are the proxy's.
-TileFill proxy_entries(std::shared_ptr<const AlbedoProxy> proxy, const TableArguments& arguments,
-                       const TableRequest& request, int threads) {
+TileFill proxy_entries(std::shared_ptr<const AlbedoProxy> proxy, const TableRequest& request, int threads) {
   const auto make_worker = [filler = AlbedoProxy::Filler(*proxy, request.axes)] {
     return [own = filler](std::size_t first, std::span<double> values) mutable {
       own.fill(first, values);
       return TableTally{};
     };
   };
-  const auto complete = [proxy, &arguments, &request](Known& known, Json& provenance) {
-    provenance["proxy"] = describe(*proxy, arguments, request);
+  const auto complete = [proxy, &request](Known& known, Json& provenance) {
+    provenance["proxy"] = describe(*proxy, request);
     known.worst_error = proxy->error() * proxy->largest();
     known.evaluations += proxy->evaluations();
     if (!proxy->is_reached()) known.unconverged = known.entries;
@@ -174,14 +173,14 @@ int fill_from_proxy(const TableArguments& arguments, const TableRequest& request
   if (in_tiles) {
     options.verified_cells = TableOptions{}.verified_cells;
     const auto make_fill = [&](const TableSource& source) {
-      return proxy_entries(std::make_shared<AlbedoProxy>(proxy_of(arguments, request, entries)), arguments, request,
+      return proxy_entries(std::make_shared<AlbedoProxy>(proxy_of(arguments, request, entries)), request,
                            source.threads());
     };
     return run_tiled(arguments, request, options, make_fill, std::move(provenance), seconds);
   }
   const AlbedoProxy proxy = proxy_of(arguments, request, entries);
   ProxyTable table(proxy, entries, request.axes, arguments.options.threads);
-  provenance["proxy"] = describe(proxy, arguments, request);
+  provenance["proxy"] = describe(proxy, request);
   return judged(proxy, conclude(arguments, Filled(request.document_axes(), std::move(table)), 0, std::move(provenance),
                                 seconds()));
 }

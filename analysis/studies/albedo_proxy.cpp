@@ -265,6 +265,7 @@ void AlbedoProxy::fit(const ProxyEntries& entries) {
   error_ = 0;
   for (const double error : samples.errors) keep_larger(error_, error / (largest_ == 0 ? 1 : largest_));
   worst_place_.clear();
+  verified_ = 0;
   std::size_t after = coefficients_.size();
   for (const AxisOfProxy& axis : axes_) {
     after /= axis.size;
@@ -289,6 +290,7 @@ void AlbedoProxy::verify(const ProxyEntries& entries, const ProxyOptions& option
     }
   }
   const ProxySamples samples = integrate(places, entries);
+  verified_ = options.verified;
   std::vector<double> errors(options.verified);
   constexpr std::size_t some = 64;
   in_parallel((options.verified + some - 1) / some, options.threads, [&](std::size_t part) {

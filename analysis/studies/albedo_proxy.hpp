@@ -96,6 +96,7 @@ class AlbedoProxy {
   }  ///< none if nothing is a series
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] bool is_reached() const { return error_ <= tolerance_; }
+  [[nodiscard]] std::size_t verified() const { return verified_; }          ///< places; 0 if nothing is a series
   [[nodiscard]] std::size_t integrations() const { return integrations_; }  ///< with those of the verification
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
@@ -122,7 +123,7 @@ class AlbedoProxy {
   std::vector<double> coefficients_;
   double tolerance_, error_ = 0, largest_ = 0;
   std::vector<double> worst_place_;
-  std::size_t integrations_ = 0;
+  std::size_t verified_ = 0, integrations_ = 0;
   std::int64_t evaluations_ = 0;
 };
 

@@ -52,6 +52,7 @@ TEST(AlbedoProxy, FillsATableFromFewerIntegrationsThanItHasEntries) {
   const AlbedoProxy proxy(axes, entries, {.tolerance = 1e-5, .verified = 200});
   EXPECT_TRUE(proxy.is_reached()) << proxy.error();
   EXPECT_LT(proxy.integrations(), 90'000U / 100);
+  EXPECT_EQ(proxy.verified(), 200U);
   const std::vector<double> filled = proxy.fill(axes);
   ASSERT_EQ(filled.size(), 90'000U);
   for (const std::size_t place : {2'100UL, 2'103UL, 2'300UL, 45'300UL, 45'303UL, 45'500UL}) {
@@ -108,6 +109,14 @@ TEST(AlbedoProxy, AxisWithAKinkIsHeldByItsValues) {
   EXPECT_FALSE(proxy.is_series(1));
   EXPECT_EQ(proxy.sizes()[1], 150U);
   EXPECT_THROW(static_cast<void>(proxy({0.3, 0.01234})), ParameterError);
+}
+
+TEST(AlbedoProxy, WhatIsOnlyIntegratedIsNotVerified) {
+  const std::vector<TableAxis> axes{{"m", {0.1, 0.2}}, {"cos_theta", {0.5, 0.7, 1}}};
+  const AlbedoProxy proxy(axes, entries_of([](double m, double c) { return m * c; }));
+  EXPECT_EQ(proxy.integrations(), 6U);
+  EXPECT_EQ(proxy.verified(), 0U);
+  EXPECT_EQ(proxy({0.2, 0.7}), 0.2 * 0.7);
 }
 
 TEST(AlbedoProxy, SaysSoWhereItDoesNotReachTheTolerance) {
