@@ -94,6 +94,29 @@ TEST_P(Honesty, SameQuestionGivesTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(Battery, Honesty, ::testing::ValuesIn(battery::model_names()), battery::instance_name);
 
+/// Facets that hardly tilt spread light widely by diffraction: masking's layer is then within a single wide panel.
+TEST(SmoothHeTorrance, LayerAlongTheHorizonIsSeenNearGrazingIncidence) {
+  const std::vector<Parameters> surfaces{
+      {{"sigma0", 8.74e-6}, {"tau", 0.0118}, {"wavelength", 0.115}},
+      {{"sigma0", 9.7e-5}, {"tau", 0.123}, {"wavelength", 6.5}},
+      {{"sigma0", 2.7e-5}, {"tau", 0.0266}, {"wavelength", 0.817}},
+  };
+  for (Parameters parameters : surfaces) {
+    parameters.emplace_back("part", "directional_diffuse");
+    const auto model = make_model("he_torrance", parameters);
+    for (const double theta : {89.9, 89.99, 89.9999, 89.9999995}) {
+      const Direction l = Direction::from_degrees(theta);
+      const Estimate truth = directional_albedo(*model, l, {.rule = Rule::kronrod, .tolerance = 1e-10});
+      for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+        const Estimate e = directional_albedo(*model, l, {.tolerance = tolerance});
+        EXPECT_EQ(e.status, Status::converged) << theta;
+        EXPECT_LE(std::abs(e.value - truth.value), e.error + truth.error) << theta << ' ' << tolerance;
+        EXPECT_LE(e.evaluations, 10'000) << theta << ' ' << tolerance;
+      }
+    }
+  }
+}
+
 TEST(Cost, GaussAtEightDigits) {
   std::vector<std::pair<std::int64_t, std::string>> counts;
   std::int64_t costliest = 0;

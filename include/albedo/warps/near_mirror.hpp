@@ -42,13 +42,15 @@ class NearMirrorWarp {
     const S middle = mirror_ / 2;
     add({S(0), S(1), stretched(middle, layer)}, digits);
     add({mirror_, S(-1), stretched(middle, elevation)}, digits);
-    // where masking sets in at R itself, it changes with cosθ_V as fast as N·L is small
+    // where masking sets in at R itself, it changes with cosθ_V as fast as N·L is small;
+    // facets as wide as the sky have no layer
     S from = 0;
-    if (cos_l_ < 2 * facets && mirror_ < elevation && elevation < below_zenith_) {
-      add({mirror_, S(1), stretched(elevation, mirror_)}, digits);
-      from = elevation;
+    const S knee = min(elevation, below_zenith_);
+    if (cos_l_ < 2 * facets && mirror_ < knee && min(elevation, facets) < below_zenith_) {
+      add({mirror_, S(1), stretched(knee, mirror_)}, digits);
+      from = knee;
     }
-    if (below_zenith_ > 0) add({mirror_ + from, S(1), stretched(S(below_zenith_ - from), elevation)}, digits);
+    if (from < below_zenith_) add({mirror_ + from, S(1), stretched(S(below_zenith_ - from), elevation)}, digits);
     // masking's layer along the horizon, and its cone at V = N, rounded over an angle of 1/width
     for (Panel& panel : panels_) panel.layered = true;
   }
