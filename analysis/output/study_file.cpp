@@ -1,8 +1,5 @@
 #include "analysis/output/study_file.hpp"
 
-#include <cctype>
-#include <filesystem>
-
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/text.hpp"
 #include "analysis/output/atomic_file.hpp"

@@ -91,12 +91,11 @@ class AlbedoProxy {
   /// there claim of themselves, or what those of the tensor do.
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] double largest() const { return largest_; }  ///< albedo that was integrated for the fit
-  [[nodiscard]] const std::vector<double>& worst_place() const {
-    return worst_place_;
-  }  ///< none if nothing is a series
+  [[nodiscard]] const std::vector<double>& worst_place() const { return worst_place_; }  ///< none if none was verified
   [[nodiscard]] double tolerance() const { return tolerance_; }
   [[nodiscard]] bool is_reached() const { return error_ <= tolerance_; }
-  [[nodiscard]] std::size_t verified() const { return verified_; }          ///< places; 0 if nothing is a series
+  /// Places; 0 if nothing is a series, or the integrations miss the tolerance.
+  [[nodiscard]] std::size_t verified() const { return verified_; }
   [[nodiscard]] std::size_t integrations() const { return integrations_; }  ///< with those of the verification
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 

@@ -106,7 +106,10 @@ TEST(SmoothHeTorrance, LayerAlongTheHorizonIsSeenNearGrazingIncidence) {
     const auto model = make_model("he_torrance", parameters);
     for (const double theta : {89.9, 89.99, 89.9999, 89.9999995}) {
       const Direction l = Direction::from_degrees(theta);
-      const Estimate truth = directional_albedo(*model, l, {.rule = Rule::kronrod, .tolerance = 1e-10});
+      // in coordinates without panels, which never claim to have converged, but bound their error
+      const Estimate truth =
+          directional_albedo(*model, l, {.rule = Rule::tanh_sinh, .warp = Warp::hemisphere, .tolerance = 1e-8});
+      ASSERT_LE(truth.error, 1e-7 * truth.value) << theta;
       for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
         const Estimate e = directional_albedo(*model, l, {.tolerance = tolerance});
         EXPECT_EQ(e.status, Status::converged) << theta;
