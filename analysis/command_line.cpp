@@ -14,10 +14,10 @@
 #include "albedo/core/suggestion.hpp"
 #include "albedo/version.hpp"
 #include "analysis/commands/commands.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/input/value.hpp"
-#include "analysis/output/atomic_file.hpp"
-#include "analysis/ranks/ranks.hpp"
+#include "analysis/files/atomic_file.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/files/ranks.hpp"
+#include "analysis/text/value.hpp"
 
 namespace albedo {
 namespace {

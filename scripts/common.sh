@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Debian 12's names. Boost's Math and Multiprecision are headers and come with libboost-dev.
 packages_build=(g++ cmake ninja-build libeigen3-dev libboost-dev librandom123-dev
   libcli11-dev nlohmann-json3-dev libopenexr-dev libpng-dev libpugixml-dev
-  libgnuplot-iostream-dev libboost-iostreams-dev libboost-system-dev libboost-filesystem-dev
+  libfmt-dev libgnuplot-iostream-dev libboost-iostreams-dev libboost-system-dev libboost-filesystem-dev
   gnuplot-nox fonts-dejavu-core)
 packages_check=(poppler-utils glslang-tools libgtest-dev clang-format doxygen libbenchmark-dev libcubature-dev libgsl-dev
   libopenmpi-dev openmpi-bin)

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "albedo/core/model.hpp"
-#include "analysis/studies/parallel.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 

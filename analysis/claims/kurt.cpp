@@ -5,7 +5,7 @@
 #include "albedo/microfacet/sampling.hpp"
 #include "analysis/claims/measure.hpp"
 #include "analysis/claims/variants.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -281,13 +281,13 @@ Finding sampling_is_right(const ModelSource& make) {
   for (int i = 0; i < 400; ++i) {
     const Direction direction = Direction::from_cosine(uniform(), 360 * uniform());
     const double u = uniform(), v = uniform();
-    const auto drawn = model.sample(0, unit_vector<Quad>(direction), Quad(u), Quad(v));
+    const auto drawn = model.quad().sample(0, unit_vector<Quad>(direction), Quad(u), Quad(v));
     const DirectionPair<Quad>& d = drawn.pair;
     if (!(d.cos_theta_v > 0)) continue;
     const Quad schlick = f0 + (1 - Quad(f0)) * fifth_power(Quad(1 - d.cos_theta_d));
     const Quad claimed =
         schlick * pow(d.cos_theta_v, Quad(1 - Quad(alpha))) / (d.cos_theta_h * pow(d.cos_theta_l, Quad(alpha)));
-    const Quad weight = model.evaluate(0, d) * d.cos_theta_v / drawn.density;
+    const Quad weight = model.quad().evaluate(0, d) * d.cos_theta_v / drawn.density;
     weight_off.look(std::abs(static_cast<double>(weight / claimed - 1)), "");
   }
 

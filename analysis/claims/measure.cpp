@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "albedo/microfacet/sampling.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

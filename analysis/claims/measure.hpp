@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "albedo/audit.hpp"
-#include "albedo/core/integrand.hpp"
-#include "albedo/rules/kronrod.hpp"
 #include "analysis/claims/claims.hpp"
+#include "core/integrand.hpp"
+#include "rules/kronrod.hpp"
 
 namespace albedo::analysis {
 

@@ -5,7 +5,7 @@
 #include "analysis/claims/measure.hpp"
 #include "analysis/claims/variants.hpp"
 #include "analysis/claims/walter_bounds.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -119,11 +119,11 @@ Finding weight_is_right(const ModelSource& make) {
   int above = 0;
   for (int i = 0; i < draws; ++i) {
     const auto l = unit_vector<Quad>(Direction::from_cosine(uniform(engine), 360 * uniform(engine)));
-    const auto drawn = model->sample(0, l, Quad(uniform(engine)), Quad(uniform(engine)));
+    const auto drawn = model->quad().sample(0, l, Quad(uniform(engine)), Quad(uniform(engine)));
     const DirectionPair<Quad>& d = drawn.pair;
     if (!(d.cos_theta_v > 0)) continue;
     ++above;
-    const Quad weight = model->evaluate(0, d) * d.cos_theta_v / drawn.density;
+    const Quad weight = model->quad().evaluate(0, d) * d.cos_theta_v / drawn.density;
     const Quad claimed = parameter(*model, "rho_s") * d.cos_theta_d * d.cos_theta_h * d.cos_theta_h * d.cos_theta_h *
                          sqrt(Quad(d.cos_theta_v / d.cos_theta_l));
     worst.look(std::abs(static_cast<double>(weight / claimed - 1)), "");

@@ -4,14 +4,14 @@
 #include <iostream>
 #include <memory>
 
-#include "albedo/core/larger.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
+#include "numerics/larger.hpp"
 
 namespace albedo::analysis {
 namespace {

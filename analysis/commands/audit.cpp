@@ -4,19 +4,19 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
-#include "analysis/commands/audit_report.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/input/materials.hpp"
-#include "analysis/material_table.hpp"
-#include "analysis/output/atomic_file.hpp"
-#include "analysis/output/study_file.hpp"
+#include "analysis/files/atomic_file.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/files/study_file.hpp"
+#include "analysis/studies/audit_report.hpp"
 #include "analysis/studies/audits.hpp"
+#include "analysis/subjects/material_table.hpp"
+#include "analysis/subjects/materials.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/input/assertion.hpp"
+#include "analysis/text/assertion.hpp"
 
 namespace albedo::analysis {
 

@@ -3,12 +3,12 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/claims/claims.hpp"
-#include "analysis/commands/claims_report.hpp"
+#include "analysis/claims/claims_report.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/option_kinds.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -7,18 +7,18 @@
 #include <string_view>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/larger.hpp"
 #include "albedo/curve.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/provenance.hpp"
 #include "analysis/commands/rational_curve.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/input/value.hpp"
-#include "analysis/output/atomic_file.hpp"
+#include "analysis/files/atomic_file.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/text/text.hpp"
+#include "analysis/text/value.hpp"
+#include "numerics/larger.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -8,9 +8,9 @@
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/studies/parallel.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -4,7 +4,7 @@
 #include <ctime>
 #include <system_error>
 
-#include "analysis/output/atomic_file.hpp"
+#include "analysis/files/atomic_file.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <thread>
 
-#include "analysis/commands/progress.hpp"
-#include "analysis/tiles/tile_claims.hpp"
+#include "analysis/files/tile_claims.hpp"
+#include "analysis/text/progress.hpp"
 
 namespace albedo::analysis {
 

@@ -9,7 +9,7 @@
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/option_kinds.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "albedo/core/model.hpp"
-#include "analysis/input/assertion.hpp"
-#include "analysis/input/value.hpp"
-#include "analysis/studies/corrections.hpp"
+#include "albedo/corrections.hpp"
+#include "analysis/text/assertion.hpp"
+#include "analysis/text/value.hpp"
 
 namespace albedo::analysis {
 

@@ -5,7 +5,7 @@
 #include "albedo/core/model.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -104,7 +104,7 @@ Json model_json(const ModelInfo& info) {
   return object;
 }
 
-void print_markdown(const std::vector<ModelInfo>& infos) {
+void print_markdown(const std::deque<ModelInfo>& infos) {
   std::cout << "| model | title | parameters | claims | source |\n|---|---|---|---|---|\n";
   for (const ModelInfo& info : infos) {
     std::vector<std::string> parameters;
@@ -118,7 +118,7 @@ void print_markdown(const std::vector<ModelInfo>& infos) {
 
 int run(const Arguments& arguments) {
   const bool is_list = arguments.name.empty();
-  const std::vector<ModelInfo> infos = is_list ? model_infos() : std::vector{model_info(arguments.name)};
+  const std::deque<ModelInfo> infos = is_list ? model_infos() : std::deque{model_info(arguments.name)};
   if (arguments.markdown) {
     print_markdown(infos);
   } else if (arguments.json) {

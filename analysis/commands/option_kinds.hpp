@@ -14,8 +14,8 @@
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/suggestion.hpp"
-#include "analysis/commands/text.hpp"
 #include "analysis/studies/methods.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 

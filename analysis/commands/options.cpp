@@ -4,8 +4,8 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/option_kinds.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/input/value.hpp"
+#include "analysis/text/text.hpp"
+#include "analysis/text/value.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -6,12 +6,12 @@
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/option_kinds.hpp"
-#include "analysis/commands/plan_report.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/input/value.hpp"
-#include "analysis/output/plan_files.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/scenes/plan/plan_files.hpp"
+#include "analysis/scenes/plan/plan_report.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
+#include "analysis/text/value.hpp"
 
 namespace albedo::analysis {
 namespace {

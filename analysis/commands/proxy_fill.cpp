@@ -5,15 +5,15 @@
 #include <mutex>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/larger.hpp"
+#include "albedo/proxy.hpp"
+#include "albedo/table_growth.hpp"
 #include "albedo/table_source.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/table_fills.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/studies/albedo_proxy.hpp"
-#include "analysis/studies/parallel.hpp"
-#include "analysis/studies/table_growth.hpp"
+#include "analysis/text/text.hpp"
+#include "numerics/larger.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -34,15 +34,14 @@ class ProxyTable {
     for (std::size_t i = 0; i < axes.size(); ++i) {
       is_series = is_series && (proxy.is_series(i) || axes[i].values.size() == 1);
     }
-    interpolation_error_ =
-        albedo::analysis::interpolation_error(axes, values_, [&](const std::vector<TableAxis>& over) {
-          std::vector<double> place;
-          for (const TableAxis& axis : over) place.push_back(axis.values.front());
-          if (is_series) return std::vector{proxy(place)};
-          const ProxySamples sample = entries(place);  // between entries there is nothing but integration
-          evaluations_ += sample.evaluations;
-          return sample.values;
-        });
+    interpolation_error_ = albedo::interpolation_error(axes, values_, [&](const std::vector<TableAxis>& over) {
+      std::vector<double> place;
+      for (const TableAxis& axis : over) place.push_back(axis.values.front());
+      if (is_series) return std::vector{proxy(place)};
+      const ProxySamples sample = entries(place);  // between entries there is nothing but integration
+      evaluations_ += sample.evaluations;
+      return sample.values;
+    });
   }
 
   [[nodiscard]] std::vector<double> values() && { return std::move(values_); }

@@ -7,8 +7,8 @@
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/text.hpp"
 #include "analysis/studies/pumping.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/output/rational_writer.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/files/rational_writer.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "albedo/rational_form.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/input/assertion.hpp"
-#include "analysis/studies/rational_form.hpp"
+#include "analysis/text/assertion.hpp"
 
 namespace albedo::analysis {
 

@@ -2,15 +2,15 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/larger.hpp"
+#include "albedo/shader_tables.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/provenance.hpp"
 #include "analysis/commands/table_request.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/studies/shader_tables.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/text/text.hpp"
+#include "numerics/larger.hpp"
 
 namespace albedo::analysis {
 namespace {

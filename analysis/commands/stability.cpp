@@ -3,15 +3,15 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
-#include "analysis/commands/atlas_report.hpp"
 #include "analysis/commands/commands.hpp"
-#include "analysis/commands/honesty_report.hpp"
 #include "analysis/commands/option_kinds.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/output/study_file.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/files/study_file.hpp"
+#include "analysis/studies/atlas_report.hpp"
+#include "analysis/studies/honesty_report.hpp"
 #include "analysis/studies/methods.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

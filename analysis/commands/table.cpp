@@ -4,18 +4,18 @@
 #include <memory>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/larger.hpp"
+#include "albedo/table_growth.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/provenance.hpp"
 #include "analysis/commands/table_fills.hpp"
 #include "analysis/commands/table_request.hpp"
-#include "analysis/material_table.hpp"
-#include "analysis/studies/table_growth.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/subjects/material_table.hpp"
+#include "analysis/text/progress.hpp"
+#include "numerics/larger.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -8,7 +8,7 @@
 #include "albedo/table.hpp"
 #include "analysis/commands/table_report.hpp"
 #include "analysis/commands/table_request.hpp"
-#include "analysis/tiles/tiled_table.hpp"
+#include "analysis/files/tiled_table.hpp"
 
 namespace albedo::analysis {
 

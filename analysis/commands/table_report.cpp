@@ -4,11 +4,11 @@
 #include <cmath>
 #include <iostream>
 
-#include "albedo/core/larger.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/commands.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/text/text.hpp"
+#include "numerics/larger.hpp"
 
 namespace albedo::analysis {
 namespace {

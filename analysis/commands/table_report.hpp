@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "albedo/table_growth.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/input/assertion.hpp"
-#include "analysis/output/table_document.hpp"
-#include "analysis/studies/table_growth.hpp"
+#include "analysis/files/table_document.hpp"
+#include "analysis/text/assertion.hpp"
 
 namespace albedo::analysis {
 

@@ -7,7 +7,7 @@
 
 #include "albedo/table.hpp"
 #include "analysis/commands/model_arguments.hpp"
-#include "analysis/output/table_document.hpp"
+#include "analysis/files/table_document.hpp"
 
 namespace albedo::analysis {
 

@@ -9,8 +9,8 @@
 #include "analysis/commands/fill_progress.hpp"
 #include "analysis/commands/interruption.hpp"
 #include "analysis/commands/table_fills.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/ranks/ranks.hpp"
+#include "analysis/files/ranks.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

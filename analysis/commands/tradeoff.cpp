@@ -7,13 +7,13 @@
 #include "analysis/commands/commands.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/options.hpp"
-#include "analysis/commands/progress.hpp"
-#include "analysis/commands/provenance.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/output/atomic_file.hpp"
-#include "analysis/output/study_file.hpp"
-#include "analysis/output/tradeoff_writer.hpp"
+#include "analysis/files/atomic_file.hpp"
+#include "analysis/files/provenance.hpp"
+#include "analysis/files/study_file.hpp"
 #include "analysis/studies/tradeoff.hpp"
+#include "analysis/studies/tradeoff_writer.hpp"
+#include "analysis/text/progress.hpp"
+#include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "albedo/audit.hpp"
-#include "analysis/studies/parallel.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 

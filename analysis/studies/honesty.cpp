@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/rules/stratified.hpp"
-#include "analysis/output/table_document.hpp"
+#include "analysis/files/table_document.hpp"
 #include "analysis/studies/methods.hpp"
+#include "rules/stratified.hpp"
 
 namespace albedo::analysis {
 namespace {

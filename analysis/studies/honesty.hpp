@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "albedo/directional_albedo.hpp"
-#include "analysis/studies/parallel.hpp"
 #include "analysis/studies/random_case.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "albedo/corrections.hpp"
 #include "albedo/pumping.hpp"
-#include "analysis/studies/corrections.hpp"
 
 namespace albedo::analysis {
 

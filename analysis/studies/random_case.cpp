@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "albedo/core/parameter.hpp"
-#include "analysis/output/table_document.hpp"
+#include "analysis/files/table_document.hpp"
 #include "rules/random.hpp"
 
 namespace albedo::analysis {

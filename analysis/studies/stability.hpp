@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "albedo/directional_albedo.hpp"
-#include "analysis/studies/parallel.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 

@@ -1,6 +1,6 @@
 #include "analysis/studies/textbook_form.hpp"
 
-#include "albedo/warps/sample.hpp"
+#include "warps/sample.hpp"
 
 namespace albedo::analysis {
 

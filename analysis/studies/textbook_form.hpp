@@ -2,7 +2,7 @@
 /// Formulas as they stand in textbooks and shaders: from two directions and their half vector.
 #pragma once
 
-#include "albedo/core/model.hpp"
+#include "albedo/combinators/wrapping.hpp"
 
 namespace albedo::analysis {
 
@@ -25,7 +25,7 @@ DirectionPair<T> textbook_pair(const UnitVector<T>& l, const UnitVector<T>& v, c
 }
 
 /// A model whose formula in float is fed with textbook pairs; in other arithmetic it is the model itself.
-class TextbookModel final : public Model {
+class TextbookModel final : public WrappingModel {
  public:
   /// @param model must outlive this one
   explicit TextbookModel(const Model& model) : model_(model) {}
@@ -35,36 +35,15 @@ class TextbookModel final : public Model {
   [[nodiscard]] Parameters parameters() const override { return model_.parameters(); }
   [[nodiscard]] std::vector<Lobe> lobes() const override { return model_.lobes(); }
 
+  using WrappingModel::evaluate;
   [[nodiscard]] float evaluate(int component, const DirectionPair<float>& pair) const noexcept override;
-  [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override {
-    return model_.evaluate(component, pair);
-  }
-  [[nodiscard]] double evaluate(int component, const DirectionPair<double>& pair) const noexcept override {
-    return model_.evaluate(component, pair);
-  }
-  [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override {
-    return model_.evaluate(component, pair);
-  }
-
-  [[nodiscard]] bool has_sampler(int component) const noexcept override { return model_.has_sampler(component); }
-  [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
-                                      const Block& v) const noexcept override {
-    return model_.sample(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
-                                       double v) const noexcept override {
-    return model_.sample(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
-                                     const Quad& v) const override {
-    return model_.sample(component, l, u, v);
-  }
-  [[nodiscard]] double density(int component, const UnitVector<double>& l,
-                               const UnitVector<double>& v) const noexcept override {
-    return model_.density(component, l, v);
-  }
 
  private:
+  [[nodiscard]] Source source(int component) const noexcept override { return {&model_, component}; }
+  [[nodiscard]] double factor(int, double, double) const noexcept override { return 1; }
+  [[nodiscard]] Block factors(int, const Block&, const Block&) const noexcept override { return 1; }
+  [[nodiscard]] std::vector<Share> coherent_shares(const Direction&) const override { return {{&model_, 1}}; }
+
   const Model& model_;
   std::vector<Lobe> lobes_ = model_.lobes();
 };

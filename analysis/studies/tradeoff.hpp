@@ -11,7 +11,7 @@
 #include "albedo/directional_albedo.hpp"
 #include "albedo/reference.hpp"
 #include "analysis/studies/methods.hpp"
-#include "analysis/studies/parallel.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 

@@ -8,41 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "albedo/warps/half_angles.hpp"
-#include "albedo/warps/half_vector.hpp"
-#include "albedo/warps/hemisphere.hpp"
-#include "albedo/warps/mirror_lobe.hpp"
-#include "albedo/warps/near_mirror.hpp"
-#include "core/lobe_integrand.hpp"
+#include "integration/warped_integrand.hpp"
 
 namespace albedo {
 namespace {
 
-constexpr double theta = 60, tolerance = 1e-8;
-
-template <class T>
-std::unique_ptr<Integrand<double>> integrand_of(const Model& model) {
-  const Lobe lobe = model.lobes().front();
-  const Direction l = Direction::from_degrees(theta);
-  switch (lobe.shape) {
-    case LobeShape::mirror:
-      return std::make_unique<LobeIntegrand<MirrorLobeWarp, T>>(model, lobe, l, tolerance, false);
-    case LobeShape::half_vector:
-      return std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, tolerance, false);
-    case LobeShape::near_mirror:
-      return std::make_unique<LobeIntegrand<NearMirrorWarp, T>>(model, lobe, l, tolerance, false);
-    case LobeShape::half_angles:
-      return std::make_unique<LobeIntegrand<HalfAnglesWarp, T>>(model, lobe, l, tolerance, false);
-    case LobeShape::cosine:
-      break;
-  }
-  return std::make_unique<LobeIntegrand<HemisphereWarp, T>>(model, lobe, l, tolerance, false);
-}
+constexpr double theta = 60;
 
 template <class T>
 void evaluate(benchmark::State& state, const Model& model) {
   constexpr int count_u = 16, count_v = 16;
-  const std::unique_ptr<Integrand<double>> integrand = integrand_of<T>(model);
+  const std::unique_ptr<Integrand<double>> integrand =
+      warped_integrand<T>(model, model.lobes().front(), Direction::from_degrees(theta), {});
   std::array<double, count_u> u{};
   std::array<double, count_v> v{};
   std::array<double, std::size_t{count_u} * count_v> w{};

@@ -9,9 +9,9 @@
 #include "albedo/models/ggx.hpp"
 #include "albedo/models/phong.hpp"
 #include "albedo/models/ward.hpp"
-#include "albedo/warps/half_vector.hpp"
-#include "albedo/warps/mirror_lobe.hpp"
-#include "core/lobe_integrand.hpp"
+#include "integration/lobe_integrand.hpp"
+#include "warps/half_vector.hpp"
+#include "warps/mirror_lobe.hpp"
 
 namespace albedo::peers {
 

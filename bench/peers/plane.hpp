@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "albedo/core/integrand.hpp"
 #include "albedo/core/model.hpp"
+#include "core/integrand.hpp"
 
 namespace albedo::peers {
 

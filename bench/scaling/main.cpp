@@ -17,15 +17,14 @@
 
 #include "albedo/albedo.hpp"
 #include "albedo/table_source.hpp"
-#include "analysis/commands/text.hpp"
-#include "analysis/output/placed_file.hpp"
-#include "analysis/ranks/ranks.hpp"
+#include "analysis/files/placed_file.hpp"
+#include "analysis/files/ranks.hpp"
+#include "analysis/text/text.hpp"
 #include "scaling/simulation.hpp"
 
 namespace albedo::bench {
 namespace {
 
-using analysis::number_text;
 using Json = nlohmann::ordered_json;
 
 /// The processor time of this thread: what others do meanwhile isn't in it.

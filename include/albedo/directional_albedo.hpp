@@ -2,7 +2,7 @@
 
 #include "albedo/core/estimate.hpp"
 #include "albedo/core/model.hpp"
-#include "albedo/rules/options.hpp"
+#include "albedo/core/rule_options.hpp"
 
 namespace albedo {
 

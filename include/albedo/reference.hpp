@@ -1,7 +1,7 @@
 #pragma once
 
-#include "albedo/core/model.hpp"
-#include "albedo/rules/gauss.hpp"
+#include "albedo/core/estimate.hpp"
+#include "albedo/core/quad.hpp"
 
 namespace albedo {
 

@@ -53,7 +53,8 @@ concept HasFormula = EvaluatesIn<M, double> && EvaluatesIn<M, float> && Evaluate
 ///     template <class T> T evaluate(int component, const DirectionPair<T>&) const noexcept;   f(L,V) of one lobe
 ///     [1/sr]
 ///
-/// and, where there is one, a sampler (Samplable), coherent_albedo(l), and load(), called once the parameters are set.
+/// and, where there is one, a sampler (Samplable), template <class T> T coherent_albedo(l), and load(), called once the
+/// parameters are set.
 template <class M>
 concept ModelStruct = std::default_initializable<M> && std::copyable<M> && detail::HasInfo<M> &&
     detail::HasParameters<M> && detail::HasClaims<M> && detail::HasLobes<M> && detail::HasFormula<M>;
@@ -79,6 +80,7 @@ constexpr void require_model_struct() {
 std::vector<std::string> resolved(const ModelInfo& model, const std::string& name);
 /// @throws ParameterError for a value outside the parameter's range, or not of its kind
 double checked_value(const ModelInfo& model, const ParameterInfo& parameter, const ParameterValue& value);
+void check_range(const ModelInfo& model, const ParameterInfo& parameter, double value);
 const std::string& checked_text(const ModelInfo& model, const ParameterInfo& parameter, const ParameterValue& value);
 
 using Factory = std::unique_ptr<Model> (*)(const Parameters&);
@@ -120,9 +122,21 @@ std::unique_ptr<Model> make_model(const Parameters& parameters = {}) {
   return std::make_unique<ErasedModel<M>>(std::move(model), info);
 }
 
+/// A model of type M as it is: make_model(Ward{.alpha_x = 0.1, .alpha_y = 0.2}).
+/// @throws ParameterError for a value outside its parameter's range
+template <ModelStruct M>
+std::unique_ptr<Model> make_model(M model) {
+  const ModelInfo& info = detail::complete_info<M>();
+  for (const Parameter<M>& parameter : M::parameters()) {
+    if (!parameter.info.is_text) detail::check_range(info, parameter.info, parameter.get(model));
+  }
+  if constexpr (requires { model.load(); }) model.load();
+  return std::make_unique<ErasedModel<M>>(std::move(model), info);
+}
+
 /// Adds a model to those that make_model, model_infos and the command line know by name, behind all others.
 ///
-/// To be called before other threads use the library; it invalidates iterators of model_infos().
+/// To be called before other threads use the library.
 /// @throws ParameterError if there is a model of that name, if a name is not letters, digits and underscores or means
 /// something else on the command line (sum, coupled, theta, cos_theta, phi, weight), if two parameters share one, or if
 /// a default is outside its range

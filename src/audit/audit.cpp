@@ -5,7 +5,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "audit/parts.hpp"
-#include "core/integrand_of.hpp"
+#include "integration/integrand_of.hpp"
 
 namespace albedo {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "albedo/microfacet/sampling.hpp"
-#include "albedo/rules/kronrod.hpp"
-#include "audit/function_integrand.hpp"
 #include "audit/parts.hpp"
+#include "numerics/function_integrand.hpp"
+#include "rules/kronrod.hpp"
 
 namespace albedo {
 namespace {

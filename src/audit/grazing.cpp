@@ -9,7 +9,7 @@
 
 #include "albedo/microfacet/sampling.hpp"
 #include "audit/parts.hpp"
-#include "core/integrand_of.hpp"
+#include "integration/integrand_of.hpp"
 
 namespace albedo {
 namespace {

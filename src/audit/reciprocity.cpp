@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "albedo/core/quad.hpp"
 #include "albedo/microfacet/sampling.hpp"
 #include "audit/parts.hpp"
 #include "rules/random.hpp"

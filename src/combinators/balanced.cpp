@@ -26,7 +26,7 @@ Claims BalancedModel::claims() const {
 
 Parameters BalancedModel::own_parameters() const { return {{"rho", balance_.options().rho}}; }
 
-double BalancedModel::factor(double cos_l, double cos_v) const noexcept {
+double BalancedModel::factor_of(double cos_l, double cos_v) const noexcept {
   return std::exp(-balance_.log_s(cos_l) - balance_.log_s(cos_v));
 }
 

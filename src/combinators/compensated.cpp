@@ -43,7 +43,7 @@ Claims CompensatedModel::claims() const {
 
 Parameters CompensatedModel::own_parameters() const { return {{"rho", rho_}}; }
 
-double CompensatedModel::factor(double cos_l, double) const noexcept {
+double CompensatedModel::factor_of(double cos_l, double) const noexcept {
   return (1 - rho_) + rho_ / albedo_.upper(cos_l);
 }
 

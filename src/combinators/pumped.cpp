@@ -70,7 +70,7 @@ std::vector<Lobe> PumpedModel::lobes() const {
   return lobes;
 }
 
-double PumpedModel::factor(double cos_l, double cos_v) const noexcept {
+double PumpedModel::factor_of(double cos_l, double cos_v) const noexcept {
   return divisor_ ? std::exp(-divisor_->log_divisor(divisor_->orders(), -std::log(cos_l), -std::log(cos_v))) : 1;
 }
 

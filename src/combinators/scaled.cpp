@@ -32,25 +32,9 @@ Parameters ScaledModel::parameters() const {
   return values;
 }
 
-Quad ScaledModel::coherent_albedo(const Direction& l) const {
-  const Quad coherent = base_->coherent_albedo(l);
-  return coherent == 0 ? coherent : Quad(coherent * factor(l.cos_theta, l.cos_theta));
-}
-
-Block ScaledModel::evaluate(int component, const DirectionPair<Block>& pair) const noexcept {
-  const Block f = base_->evaluate(component, pair);
-  return f * Block::generate([&](int lane) { return factor(pair.cos_theta_l[lane], pair.cos_theta_v[lane]); });
-}
-double ScaledModel::evaluate(int component, const DirectionPair<double>& pair) const noexcept {
-  return base_->evaluate(component, pair) * factor(pair.cos_theta_l, pair.cos_theta_v);
-}
-float ScaledModel::evaluate(int component, const DirectionPair<float>& pair) const noexcept {
-  return base_->evaluate(component, pair) *
-         static_cast<float>(factor(static_cast<double>(pair.cos_theta_l), static_cast<double>(pair.cos_theta_v)));
-}
-Quad ScaledModel::evaluate(int component, const DirectionPair<Quad>& pair) const {
-  return base_->evaluate(component, pair) *
-         factor(static_cast<double>(pair.cos_theta_l), static_cast<double>(pair.cos_theta_v));
+std::vector<WrappingModel::Share> ScaledModel::coherent_shares(const Direction& l) const {
+  if (base_->coherent_albedo(l) == 0) return {};  // not to be multiplied by an infinite factor
+  return {{base_.get(), factor_of(l.cos_theta, l.cos_theta)}};
 }
 
 }  // namespace albedo

@@ -57,8 +57,8 @@ SumModel::SumModel(std::vector<Part> parts) : parts_(std::move(parts)) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     for (Lobe lobe : parts_[i].model->lobes()) {
       if (parts_[i].weight == 0) continue;
-      sources_.push_back({i, lobe.component});
-      lobe.component = static_cast<int>(sources_.size()) - 1;
+      places_.push_back({i, lobe.component});
+      lobe.component = static_cast<int>(places_.size()) - 1;
       lobe.weight *= parts_[i].weight;
       lobes_.push_back(lobe);
     }
@@ -97,49 +97,10 @@ Parameters SumModel::parameters() const {
   return values;
 }
 
-Quad SumModel::coherent_albedo(const Direction& l) const {
-  Quad sum = 0;
-  for (const Part& part : parts_) sum += Quad(part.weight) * part.model->coherent_albedo(l);
-  return sum;
-}
-
-template <class T>
-T SumModel::weighted(int component, const DirectionPair<T>& pair) const {
-  const Source& from = source(component);
-  return T(static_cast<Scalar<T>>(parts_[from.part].weight)) * model(from).evaluate(from.component, pair);
-}
-
-Block SumModel::evaluate(int component, const DirectionPair<Block>& pair) const noexcept {
-  return weighted(component, pair);
-}
-double SumModel::evaluate(int component, const DirectionPair<double>& pair) const noexcept {
-  return weighted(component, pair);
-}
-float SumModel::evaluate(int component, const DirectionPair<float>& pair) const noexcept {
-  return weighted(component, pair);
-}
-Quad SumModel::evaluate(int component, const DirectionPair<Quad>& pair) const { return weighted(component, pair); }
-
-bool SumModel::has_sampler(int component) const noexcept {
-  const Source& from = source(component);
-  return model(from).has_sampler(from.component);
-}
-Sampled<Block> SumModel::sample(int component, const UnitVector<Block>& l, const Block& u,
-                                const Block& v) const noexcept {
-  const Source& from = source(component);
-  return model(from).sample(from.component, l, u, v);
-}
-Sampled<double> SumModel::sample(int component, const UnitVector<double>& l, double u, double v) const noexcept {
-  const Source& from = source(component);
-  return model(from).sample(from.component, l, u, v);
-}
-Sampled<Quad> SumModel::sample(int component, const UnitVector<Quad>& l, const Quad& u, const Quad& v) const {
-  const Source& from = source(component);
-  return model(from).sample(from.component, l, u, v);
-}
-double SumModel::density(int component, const UnitVector<double>& l, const UnitVector<double>& v) const noexcept {
-  const Source& from = source(component);
-  return model(from).density(from.component, l, v);
+std::vector<WrappingModel::Share> SumModel::coherent_shares(const Direction& /*l*/) const {
+  std::vector<Share> shares;
+  for (const Part& part : parts_) shares.push_back({part.model.get(), part.weight});
+  return shares;
 }
 
 }  // namespace albedo

@@ -7,8 +7,6 @@
 #include <sstream>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/model.hpp"
-#include "albedo/warps/sample.hpp"
 
 namespace albedo {
 namespace {
@@ -51,38 +49,5 @@ Direction Direction::from_cosine(double cos_theta, double phi) {
 double Direction::theta_degrees() const {
   return std::atan2(sin_theta, cos_theta) * 180 / boost::math::constants::pi<double>();
 }
-
-template <class T>
-T brdf(const Model& model, const Direction& l, const Direction& v) {
-  T sum = 0;
-  for (const Lobe& lobe : model.lobes()) {
-    const UnitVector<T> light = unit_vector<T>(l);
-    sum += model.evaluate(lobe.component, direction_pair(light, unit_vector<T>(v), lobe_axis(lobe, light)));
-  }
-  return sum;
-}
-
-Sampled<Block> Model::sample(int, const UnitVector<Block>&, const Block&, const Block&) const noexcept {
-  return Sampled<Block>::none();
-}
-Sampled<double> Model::sample(int, const UnitVector<double>&, double, double) const noexcept {
-  return Sampled<double>::none();
-}
-Sampled<Quad> Model::sample(int, const UnitVector<Quad>&, const Quad&, const Quad&) const {
-  return Sampled<Quad>::none();
-}
-double Model::density(int, const UnitVector<double>&, const UnitVector<double>&) const noexcept {
-  return std::numeric_limits<double>::quiet_NaN();
-}
-double Model::facet_distribution(const DirectionPair<double>&) const noexcept {
-  return std::numeric_limits<double>::quiet_NaN();
-}
-double Model::facet_masking(const DirectionPair<double>&) const noexcept {
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-template double brdf<double>(const Model&, const Direction&, const Direction&);
-template float brdf<float>(const Model&, const Direction&, const Direction&);
-template Quad brdf<Quad>(const Model&, const Direction&, const Direction&);
 
 }  // namespace albedo

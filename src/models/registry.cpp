@@ -1,50 +1,34 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <numeric>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/suggestion.hpp"
-#include "albedo/models/all.hpp"
 #include "albedo/registry.hpp"
+#include "core/text.hpp"
+#include "models/built_in.hpp"
 
 namespace albedo {
 namespace {
 
-std::string text(double value) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+std::string text(const Range& range) {
+  return fmt::format("[{}, {}]", shortest_text(range.minimum), shortest_text(range.maximum));
 }
-
-std::string text(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
-std::string text(const Range& range) { return "[" + text(range.minimum) + ", " + text(range.maximum) + "]"; }
 
 struct Registry {
-  std::vector<ModelInfo> infos;
-  std::vector<const ModelInfo*> lasting_infos;  // the same, where they never move
+  std::deque<ModelInfo> infos;
   std::vector<detail::Factory> factories;
 
-  template <class... Models>
-  explicit Registry(ModelList<Models...>) {
-    (detail::require_model_struct<Models>(), ...);
-    (add(detail::complete_info<Models>(), &make_model<Models>), ...);
-  }
-
   static Registry& instance() {
-    static Registry registry{AllModels{}};
+    static Registry registry = [] {
+      Registry built;
+      for (const BuiltInModel& model : built_in_models()) built.add(model.info, model.factory);
+      return built;
+    }();
     return registry;
   }
 
   void add(const ModelInfo& info, detail::Factory factory) {
     infos.push_back(info);
-    lasting_infos.push_back(&info);
     factories.push_back(factory);
   }
 
@@ -54,8 +38,8 @@ struct Registry {
     std::vector<std::string> names;
     for (const ModelInfo& info : infos) names.push_back(info.name);
     const std::string close = suggestion(name, names);
-    throw UnknownModel("unknown model '" + std::string(name) + "'" +
-                       (close.empty() ? "; known are " + text(names) : "; did you mean '" + close + "'?"));
+    throw UnknownModel(fmt::format("unknown model '{}'{}", name,
+                                   close.empty() ? "; known are " + joined(names) : "; did you mean '" + close + "'?"));
   }
 };
 
@@ -81,8 +65,8 @@ void check_info(const ModelInfo& info) {
     check_name("a parameter of " + info.name, parameter.name, taken);
     taken.push_back(parameter.name);
     if (!parameter.is_text && !parameter.range.contains(parameter.default_value)) {
-      throw ParameterError(info.name + ": the default of " + parameter.name + " is " + text(parameter.default_value) +
-                           " and must be within " + text(parameter.range));
+      throw ParameterError(info.name + ": the default of " + parameter.name + " is " +
+                           shortest_text(parameter.default_value) + " and must be within " + text(parameter.range));
     }
   }
   for (const Shorthand& shorthand : info.shorthands) {
@@ -111,7 +95,7 @@ std::vector<std::string> resolved(const ModelInfo& model, const std::string& nam
   throw ParameterError(model.name + " has no parameter '" + name + "'" +
                        (!close.empty()       ? "; did you mean '" + close + "'?"
                         : candidates.empty() ? "; it has none"
-                                             : "; it has " + text(candidates)));
+                                             : "; it has " + joined(candidates)));
 }
 
 double checked_value(const ModelInfo& model, const ParameterInfo& parameter, const ParameterValue& value) {
@@ -119,17 +103,21 @@ double checked_value(const ModelInfo& model, const ParameterInfo& parameter, con
   if (const auto* name = std::get_if<std::string>(&value)) {
     const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), *name);
     if (found != parameter.choices.end()) return static_cast<double>(found - parameter.choices.begin());
-    const std::string valid = parameter.is_choice() ? "one of " + text(parameter.choices) : "a number";
+    const std::string valid = parameter.is_choice() ? "one of " + joined(parameter.choices) : "a number";
     throw ParameterError(subject + " is '" + *name + "' and must be " + valid);
   }
   const double number = std::get<double>(value);
   if (parameter.is_choice()) {  // names such as Kurt's equation=9 look like numbers
-    return checked_value(model, parameter, ParameterValue(text(number)));
+    return checked_value(model, parameter, ParameterValue(shortest_text(number)));
   }
-  if (!parameter.range.contains(number)) {
-    throw ParameterError(subject + " is " + text(number) + " and must be within " + text(parameter.range));
-  }
+  check_range(model, parameter, number);
   return number;
+}
+
+void check_range(const ModelInfo& model, const ParameterInfo& parameter, double value) {
+  if (parameter.range.contains(value)) return;
+  throw ParameterError(fmt::format("{}: {} is {} and must be within {}", model.name, parameter.name,
+                                   shortest_text(value), text(parameter.range)));
 }
 
 const std::string& checked_text(const ModelInfo& model, const ParameterInfo& parameter, const ParameterValue& value) {
@@ -174,11 +162,11 @@ std::unique_ptr<Model> make_model(std::string_view name, const Parameters& param
   return registry.factories[index](parameters);
 }
 
-const std::vector<ModelInfo>& model_infos() { return Registry::instance().infos; }
+const std::deque<ModelInfo>& model_infos() { return Registry::instance().infos; }
 
 const ModelInfo& model_info(std::string_view name) {
   const Registry& registry = Registry::instance();
-  return *registry.lasting_infos[registry.find(name)];
+  return registry.infos[registry.find(name)];
 }
 
 }  // namespace albedo

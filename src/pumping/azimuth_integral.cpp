@@ -5,8 +5,8 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
-#include "albedo/warps/sample.hpp"
-#include "albedo/warps/turn.hpp"
+#include "warps/sample.hpp"
+#include "warps/turn.hpp"
 
 namespace albedo {
 namespace {

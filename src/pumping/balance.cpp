@@ -6,8 +6,8 @@
 #include <limits>
 #include <map>
 
-#include "albedo/core/larger.hpp"
 #include "combinators/check.hpp"
+#include "numerics/larger.hpp"
 #include "pumping/kernel_row.hpp"
 
 namespace albedo {

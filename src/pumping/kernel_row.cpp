@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "albedo/core/larger.hpp"
-#include "albedo/warps/sample.hpp"
+#include "numerics/larger.hpp"
 #include "rules/nodes.hpp"
+#include "warps/sample.hpp"
 
 namespace albedo {
 namespace {

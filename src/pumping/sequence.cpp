@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "albedo/core/larger.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "combinators/check.hpp"
+#include "numerics/larger.hpp"
 #include "pumping/kernel_row.hpp"
 
 namespace albedo {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "albedo/core/integrand.hpp"
+#include "core/integrand.hpp"
 #include "rules/resolution.hpp"
 
 namespace albedo {

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "albedo/core/estimate.hpp"
-#include "albedo/core/integrand.hpp"
-#include "albedo/rules/options.hpp"
+#include "albedo/core/rule_options.hpp"
+#include "core/integrand.hpp"
 
 namespace albedo {
 

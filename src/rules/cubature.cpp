@@ -1,4 +1,4 @@
-#include "albedo/rules/cubature.hpp"
+#include "rules/cubature.hpp"
 
 #include <algorithm>
 #include <array>

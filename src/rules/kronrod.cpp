@@ -1,4 +1,4 @@
-#include "albedo/rules/kronrod.hpp"
+#include "rules/kronrod.hpp"
 
 #include <algorithm>
 #include <array>

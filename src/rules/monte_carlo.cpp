@@ -1,4 +1,4 @@
-#include "albedo/rules/monte_carlo.hpp"
+#include "rules/monte_carlo.hpp"
 
 #include <algorithm>
 #include <array>

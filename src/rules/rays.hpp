@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "albedo/core/integrand.hpp"
+#include "core/integrand.hpp"
 
 namespace albedo {
 

@@ -1,4 +1,4 @@
-#include "albedo/rules/sobol.hpp"
+#include "rules/sobol.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "albedo/rules/stratified.hpp"
+#include "rules/stratified.hpp"
 
 #include <algorithm>
 #include <array>

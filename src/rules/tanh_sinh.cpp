@@ -1,4 +1,4 @@
-#include "albedo/rules/tanh_sinh.hpp"
+#include "rules/tanh_sinh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "analysis/studies/albedo_proxy.hpp"
+#include "albedo/proxy.hpp"
 
 #include <gtest/gtest.h>
 

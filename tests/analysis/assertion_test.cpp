@@ -5,7 +5,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/input/assertion.hpp"
+#include "analysis/text/assertion.hpp"
 
 namespace albedo::analysis {
 namespace {

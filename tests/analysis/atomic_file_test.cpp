@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "albedo/core/errors.hpp"
-#include "analysis/output/atomic_file.hpp"
+#include "analysis/files/atomic_file.hpp"
 #include "analysis/output_directory.hpp"
 
 namespace albedo::analysis {

@@ -4,9 +4,9 @@
 
 #include "albedo/command_line.hpp"
 #include "albedo/registry.hpp"
-#include "analysis/input/materials.hpp"
-#include "analysis/material_table.hpp"
 #include "analysis/studies/audits.hpp"
+#include "analysis/subjects/material_table.hpp"
+#include "analysis/subjects/materials.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "albedo/core/number.hpp"
 #include "albedo/curve.hpp"
+#include "analysis/claims/claims_report.hpp"
 #include "analysis/claims/measure.hpp"
 #include "analysis/claims/variants.hpp"
-#include "analysis/commands/claims_report.hpp"
 
 namespace albedo::analysis {
 namespace {

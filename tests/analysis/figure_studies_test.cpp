@@ -1,16 +1,17 @@
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <numbers>
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/studies/bound_curves.hpp"
-#include "analysis/studies/critical_region.hpp"
-#include "analysis/studies/lobe_fit.hpp"
-#include "analysis/studies/plausibility.hpp"
-#include "analysis/studies/pumped_curves.hpp"
 #include "analysis/studies/pumping.hpp"
+#include "plots/data/bound_curves.hpp"
+#include "plots/data/critical_region.hpp"
+#include "plots/data/lobe_fit.hpp"
+#include "plots/data/plausibility.hpp"
+#include "plots/data/pumped_curves.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -1,5 +1,5 @@
+#include "analysis/files/tile_journal.hpp"
 #include "analysis/output_directory.hpp"
-#include "analysis/tiles/tile_journal.hpp"
 
 /// Journals that nobody's table has, with checksums that are right.
 namespace albedo::analysis {

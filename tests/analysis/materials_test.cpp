@@ -10,7 +10,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/input/materials.hpp"
+#include "analysis/subjects/materials.hpp"
 
 namespace albedo::analysis {
 namespace {

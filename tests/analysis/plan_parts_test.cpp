@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
-#include "analysis/output/svg.hpp"
-#include "analysis/studies/plan/requirement.hpp"
-#include "analysis/studies/plan/surface.hpp"
-#include "analysis/studies/table_growth.hpp"
+#include "albedo/table_growth.hpp"
+#include "analysis/scenes/plan/requirement.hpp"
+#include "analysis/scenes/plan/surface.hpp"
+#include "analysis/text/svg.hpp"
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"

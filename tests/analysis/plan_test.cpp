@@ -1,4 +1,4 @@
-#include "analysis/studies/plan/plan.hpp"
+#include "analysis/scenes/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/scene/scene.hpp"
-#include "analysis/studies/plan/verify.hpp"
+#include "analysis/scenes/plan/verify.hpp"
+#include "analysis/scenes/scene.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -1,4 +1,4 @@
-#include "analysis/studies/proxy_variable.hpp"
+#include "albedo/core/proxy_variable.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "analysis/studies/rational_form.hpp"
+#include "albedo/rational_form.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "albedo/combinators/pumped.hpp"
 #include "albedo/core/errors.hpp"
 #include "albedo/registry.hpp"
-#include "analysis/output/rational_writer.hpp"
-#include "analysis/studies/rational_minimax.hpp"
+#include "analysis/files/rational_writer.hpp"
+#include "approximation/rational_minimax.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/render/colour.hpp"
-#include "analysis/render/furnace.hpp"
-#include "analysis/render/picture.hpp"
-#include "analysis/render/scenes.hpp"
-#include "analysis/render/walter.hpp"
+#include "plots/render/colour.hpp"
+#include "plots/render/furnace.hpp"
+#include "plots/render/picture.hpp"
+#include "plots/render/scenes.hpp"
+#include "plots/render/walter.hpp"
 
 namespace albedo::render {
 namespace {

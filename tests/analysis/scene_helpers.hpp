@@ -11,9 +11,9 @@
 #include "albedo/core/errors.hpp"
 #include "albedo/core/model.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/material_table.hpp"
 #include "analysis/output_directory.hpp"
-#include "analysis/scene/scene.hpp"
+#include "analysis/scenes/scene.hpp"
+#include "analysis/subjects/material_table.hpp"
 
 namespace albedo::analysis {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/scene/interfaces.hpp"
 #include "analysis/scene_helpers.hpp"
+#include "analysis/scenes/interfaces.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "analysis/scene/interfaces.hpp"
 #include "analysis/scene_helpers.hpp"
+#include "analysis/scenes/interfaces.hpp"
 
 namespace albedo::analysis {
 namespace {

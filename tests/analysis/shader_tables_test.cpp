@@ -1,4 +1,4 @@
-#include "analysis/studies/shader_tables.hpp"
+#include "albedo/shader_tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/helpers.hpp"
-#include "analysis/input/materials.hpp"
-#include "analysis/material_table.hpp"
+#include "analysis/subjects/material_table.hpp"
+#include "analysis/subjects/materials.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -13,10 +13,10 @@
 #include <sstream>
 
 #include "albedo/core/errors.hpp"
-#include "analysis/output/atomic_file.hpp"
-#include "analysis/output/csv_writer.hpp"
-#include "analysis/output/exr_writer.hpp"
-#include "analysis/output/table_document.hpp"
+#include "analysis/files/atomic_file.hpp"
+#include "analysis/files/csv_writer.hpp"
+#include "analysis/files/exr_writer.hpp"
+#include "analysis/files/table_document.hpp"
 #include "analysis/output_directory.hpp"
 
 namespace albedo::analysis {

@@ -1,6 +1,6 @@
-#include "analysis/tiles/tiled_table.hpp"
+#include "analysis/files/tiled_table.hpp"
 
-#include "analysis/output/npy_writer.hpp"
+#include "analysis/files/npy_writer.hpp"
 #include "analysis/output_directory.hpp"
 
 namespace albedo::analysis {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "albedo/core/errors.hpp"
-#include "analysis/output/tradeoff_writer.hpp"
+#include "analysis/studies/tradeoff_writer.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "analysis/helpers.hpp"
-#include "analysis/input/value.hpp"
+#include "analysis/text/value.hpp"
 
 namespace albedo::analysis {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "albedo/core/errors.hpp"
-#include "analysis/material_table.hpp"
-#include "analysis/scene/readers.hpp"
+#include "analysis/scenes/readers.hpp"
+#include "analysis/subjects/material_table.hpp"
 #include "fuzz/files.hpp"
 #include "fuzz/fuzz.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/output/placed_file.hpp"
-#include "analysis/tiles/tiled_table.hpp"
+#include "analysis/files/placed_file.hpp"
+#include "analysis/files/tiled_table.hpp"
 #include "fuzz/files.hpp"
 #include "fuzz/fuzz.hpp"
 

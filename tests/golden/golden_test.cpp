@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "albedo/core/quad.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "albedo/microfacet/wave_series.hpp"
 #include "golden/entries.hpp"

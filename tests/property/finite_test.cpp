@@ -5,8 +5,10 @@
 #include <random>
 #include <sstream>
 
-#include "albedo/warps/sample.hpp"
 #include "property/battery.hpp"
+#include "warps/sample.hpp"
+
+#include "albedo/core/quad.hpp"
 
 /// No model answers NaN, infinity or less than 0: random parameters over their whole ranges, random directions down to
 /// 1e-12 above the horizon, many of them next to L, −L, the mirror direction and the normal.
@@ -182,7 +184,7 @@ TEST_P(Finite, EverywhereAboveTheSurface) {
           const double value = lane < 0 ? alone : f[lane];
           if (value >= 0 && value <= std::numeric_limits<double>::max()) continue;
           const DirectionPair<double>& pair = pairs[static_cast<std::size_t>(std::max(lane, 0))];
-          const Quad exact = model->evaluate(
+          const Quad exact = model->quad().evaluate(
               lobe.component, converted<Quad>([](double x) { return Quad(x); },
                                               [&](double DirectionPair<double>::*member) { return pair.*member; }));
           if (value > 0 && exact > std::numeric_limits<double>::max()) {

@@ -5,8 +5,9 @@
 #include <set>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/warps/sample.hpp"
+#include "albedo/core/quad.hpp"
 #include "property/battery.hpp"
+#include "warps/sample.hpp"
 
 /// What a model's formula and its information promise, on random pairs of directions.
 namespace albedo {
@@ -79,7 +80,7 @@ TEST_P(Models, SameInDoubleBlockFloatAndQuad) {
   for (const Case& c : battery::cases_of(GetParam())) {
     const auto model = make_model(c.model, c.parameters);
     for_random_pairs(*model, 200, [&](int component, const DirectionPair<Quad>& pair) {
-      const Quad exact = model->evaluate(component, pair);
+      const Quad exact = model->quad().evaluate(component, pair);
       const double rounded = static_cast<double>(exact);
       if (rounded != 0 && rounded < 1e-30) return;
       const double in_double = model->evaluate(component, converted<double>(pair));

@@ -4,10 +4,11 @@
 
 #include "albedo/core/erased_model.hpp"
 #include "albedo/core/errors.hpp"
-#include "albedo/rules/sobol.hpp"
-#include "albedo/rules/stratified.hpp"
-#include "albedo/warps/paper.hpp"
+#include "albedo/core/quad.hpp"
 #include "property/battery.hpp"
+#include "rules/sobol.hpp"
+#include "rules/stratified.hpp"
+#include "warps/paper.hpp"
 
 /// The samplers published with the models: the direction that is drawn, and the density that is said of it.
 namespace albedo {
@@ -88,7 +89,7 @@ TEST_P(Samplers, SameInDoubleBlockAndQuad) {
       const double u = place[0], v = place[1];  // a lambda below captures them
       const Sampled<double> alone = model.sample(lobe.component, l, u, v);
       const Sampled<Block> block = model.sample(lobe.component, l_block, Block(u), Block(v));
-      const Sampled<Quad> exact = model.sample(lobe.component, l_quad, Quad(u), Quad(v));
+      const Sampled<Quad> exact = model.quad().sample(lobe.component, l_quad, Quad(u), Quad(v));
       const auto expect = [&](double a, const Block& b, const Quad& q, double scale, double digits) {
         EXPECT_NEAR(a, static_cast<double>(q), digits * scale) << what << ", u " << u << ", v " << v;
         for (int i = 0; i < block_width; ++i) EXPECT_NEAR(b[i], a, digits * scale) << what << ", lane " << i;

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "albedo/core/number.hpp"
-#include "albedo/warps/turn.hpp"
+#include "albedo/core/quad.hpp"
+#include "warps/turn.hpp"
 
 namespace albedo {
 namespace {

@@ -1,4 +1,5 @@
 #include "albedo/curve.hpp"
+#include "albedo/combinators/scaled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,31 +19,19 @@ namespace {
 using boost::math::double_constants::pi;
 
 /// A diffuse reflector whose albedo is any function of cosθ_L.
-class Synthetic final : public Model {
+class Synthetic final : public ScaledModel {
  public:
-  explicit Synthetic(std::function<double(double)> albedo) : albedo_(std::move(albedo)) {}
+  explicit Synthetic(std::function<double(double)> albedo)
+      : ScaledModel(make_model("lambert", {{"rho", 1.0}}),
+                    {.name = "synthetic", .title = "", .source = "", .deviation = ""}),
+        albedo_(std::move(albedo)) {}
 
-  [[nodiscard]] const ModelInfo& info() const override {
-    static const ModelInfo info{.name = "synthetic", .title = "", .source = "", .deviation = ""};
-    return info;
-  }
   [[nodiscard]] Claims claims() const override { return {}; }
-  [[nodiscard]] Parameters parameters() const override { return {}; }
-  [[nodiscard]] std::vector<Lobe> lobes() const override { return {{.component = 0, .weight = 1}}; }
-  [[nodiscard]] Block evaluate(int, const DirectionPair<Block>& d) const noexcept override {
-    return Block::generate([&](int i) { return albedo_(d.cos_theta_l[i]) / pi; });
-  }
-  [[nodiscard]] double evaluate(int, const DirectionPair<double>& d) const noexcept override {
-    return albedo_(d.cos_theta_l) / pi;
-  }
-  [[nodiscard]] float evaluate(int, const DirectionPair<float>& d) const noexcept override {
-    return static_cast<float>(albedo_(d.cos_theta_l) / pi);
-  }
-  [[nodiscard]] Quad evaluate(int, const DirectionPair<Quad>& d) const override {
-    return albedo_(static_cast<double>(d.cos_theta_l)) / pi;
-  }
 
  private:
+  [[nodiscard]] double factor_of(double cos_l, double /*cos_v*/) const noexcept override { return albedo_(cos_l); }
+  [[nodiscard]] Parameters own_parameters() const override { return {}; }
+
   std::function<double(double)> albedo_;
 };
 

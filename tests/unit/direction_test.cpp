@@ -1,4 +1,5 @@
 #include "albedo/core/direction.hpp"
+#include "albedo/core/quad.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "albedo/rules/cubature.hpp"
-#include "albedo/rules/gauss.hpp"
-#include "albedo/rules/kronrod.hpp"
-#include "albedo/rules/monte_carlo.hpp"
-#include "albedo/rules/sobol.hpp"
-#include "albedo/rules/stratified.hpp"
-#include "albedo/rules/tanh_sinh.hpp"
+#include "rules/cubature.hpp"
+#include "rules/gauss.hpp"
+#include "rules/kronrod.hpp"
+#include "rules/monte_carlo.hpp"
+#include "rules/sobol.hpp"
+#include "rules/stratified.hpp"
+#include "rules/tanh_sinh.hpp"
 
 /// Integrands with closed forms, and every rule by name.
 namespace albedo {

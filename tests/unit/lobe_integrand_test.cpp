@@ -1,10 +1,10 @@
-#include "core/lobe_integrand.hpp"
+#include "integration/lobe_integrand.hpp"
 
 #include <gtest/gtest.h>
 
-#include "albedo/warps/half_vector.hpp"
-#include "albedo/warps/hemisphere.hpp"
-#include "albedo/warps/mirror_lobe.hpp"
+#include "warps/half_vector.hpp"
+#include "warps/hemisphere.hpp"
+#include "warps/mirror_lobe.hpp"
 
 namespace albedo {
 namespace {

@@ -1,4 +1,5 @@
 #include "albedo/combinators/pumped.hpp"
+#include "albedo/core/quad.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "albedo/directional_albedo.hpp"
-#include "albedo/warps/sample.hpp"
+#include "warps/sample.hpp"
 
 namespace albedo {
 namespace {
@@ -30,7 +30,7 @@ Quad by_double_exponential(const Model& model, const Direction& direction, int s
       const UnitVector<Quad> v{sine * cos(phi), sine * sin(phi), cosine};
       const Quad weight = k == 0 || k == half_turn ? Quad(0.5) : Quad(1);
       for (const Lobe& lobe : model.lobes()) {
-        ring += weight * model.evaluate(lobe.component, direction_pair(l, v, lobe_axis(lobe, l)));
+        ring += weight * model.quad().evaluate(lobe.component, direction_pair(l, v, lobe_axis(lobe, l)));
       }
     }
     sum += ring * sine * cosine * slope;

@@ -5,6 +5,8 @@
 
 #include "unit/integrands.hpp"
 
+#include "albedo/core/quad.hpp"
+
 namespace albedo {
 namespace {
 

@@ -10,6 +10,7 @@
 
 #include "albedo/bounds.hpp"
 #include "albedo/core/errors.hpp"
+#include "albedo/core/quad.hpp"
 
 /// Bounds over boxes of directions against the largest value that a search of the box finds.
 namespace albedo {

@@ -4,11 +4,13 @@
 #include <functional>
 #include <random>
 
-#include "albedo/rules/gauss.hpp"
-#include "albedo/warps/half_vector.hpp"
-#include "albedo/warps/hemisphere.hpp"
-#include "albedo/warps/mirror_lobe.hpp"
-#include "albedo/warps/near_mirror.hpp"
+#include "rules/gauss.hpp"
+#include "warps/half_vector.hpp"
+#include "warps/hemisphere.hpp"
+#include "warps/mirror_lobe.hpp"
+#include "warps/near_mirror.hpp"
+
+#include "albedo/core/quad.hpp"
 
 namespace albedo {
 namespace {

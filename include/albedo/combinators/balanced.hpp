@@ -19,7 +19,7 @@ class BalancedModel final : public ScaledModel {
 
  private:
   /// 1/(s(L) s(V))
-  [[nodiscard]] double factor(double cos_l, double cos_v) const noexcept override;
+  [[nodiscard]] double factor_of(double cos_l, double cos_v) const noexcept override;
   [[nodiscard]] Parameters own_parameters() const override;
 
   Balance balance_;

@@ -24,7 +24,7 @@ class CompensatedModel final : public ScaledModel {
   [[nodiscard]] Claims claims() const override;
 
  private:
-  [[nodiscard]] double factor(double cos_l, double cos_v) const noexcept override;
+  [[nodiscard]] double factor_of(double cos_l, double cos_v) const noexcept override;
   [[nodiscard]] Parameters own_parameters() const override;
 
   double rho_;

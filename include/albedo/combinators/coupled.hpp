@@ -41,10 +41,10 @@ struct TabulatedMatte {
   }
 
   [[nodiscard]] double transmitted(double cosine) const noexcept { return std::max(1 - surface->upper(cosine), 0.0); }
-  [[nodiscard]] float transmitted(float cosine) const noexcept {
-    return static_cast<float>(transmitted(static_cast<double>(cosine)));
+  template <class T>
+  [[nodiscard]] T transmitted(const T& cosine) const noexcept {
+    return static_cast<T>(transmitted(static_cast<double>(cosine)));
   }
-  [[nodiscard]] Quad transmitted(const Quad& cosine) const { return transmitted(static_cast<double>(cosine)); }
   [[nodiscard]] Block transmitted(const Block& cosine) const noexcept {
     return Block::generate([&](int i) { return transmitted(cosine[i]); });
   }

@@ -30,7 +30,7 @@ class PumpedModel final : public ScaledModel {
 
  private:
   /// 1/D_K
-  [[nodiscard]] double factor(double cos_l, double cos_v) const noexcept override;
+  [[nodiscard]] double factor_of(double cos_l, double cos_v) const noexcept override;
   [[nodiscard]] Parameters own_parameters() const override;
 
   PumpOptions options_;

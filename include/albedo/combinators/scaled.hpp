@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "albedo/core/model.hpp"
+#include "albedo/combinators/wrapping.hpp"
 
 namespace albedo {
 
@@ -11,7 +11,7 @@ namespace albedo {
 ///
 /// Each lobe stays a lobe. Samplers and their densities are the base's, and so are the parameters behind the model's
 /// own ones, as base.NAME.
-class ScaledModel : public Model {
+class ScaledModel : public WrappingModel {
  public:
   [[nodiscard]] const Model& base() const { return *base_; }
 
@@ -20,41 +20,23 @@ class ScaledModel : public Model {
   [[nodiscard]] Claims claims() const override;
   [[nodiscard]] Parameters parameters() const override;
   [[nodiscard]] std::vector<Lobe> lobes() const override { return base_->lobes(); }
-  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override;
-
-  [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override;
-  [[nodiscard]] double evaluate(int component, const DirectionPair<double>& pair) const noexcept override;
-  [[nodiscard]] float evaluate(int component, const DirectionPair<float>& pair) const noexcept override;
-  [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override;
-
-  [[nodiscard]] bool has_sampler(int component) const noexcept override { return base_->has_sampler(component); }
-  [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
-                                      const Block& v) const noexcept override {
-    return base_->sample(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
-                                       double v) const noexcept override {
-    return base_->sample(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
-                                     const Quad& v) const override {
-    return base_->sample(component, l, u, v);
-  }
-  [[nodiscard]] double density(int component, const UnitVector<double>& l,
-                               const UnitVector<double>& v) const noexcept override {
-    return base_->density(component, l, v);
-  }
 
  protected:
   /// @param info of the model, with parameters of its own beside "model", which names the base
   ScaledModel(std::unique_ptr<Model> base, ModelInfo info);
 
   /// k
-  [[nodiscard]] virtual double factor(double cos_l, double cos_v) const noexcept = 0;
+  [[nodiscard]] virtual double factor_of(double cos_l, double cos_v) const noexcept = 0;
   /// The values of its own parameters.
   [[nodiscard]] virtual Parameters own_parameters() const = 0;
 
  private:
+  [[nodiscard]] Source source(int component) const noexcept final { return {base_.get(), component}; }
+  [[nodiscard]] double factor(int /*component*/, double cos_l, double cos_v) const noexcept final {
+    return factor_of(cos_l, cos_v);
+  }
+  [[nodiscard]] std::vector<Share> coherent_shares(const Direction& l) const final;
+
   std::unique_ptr<Model> base_;
   ModelInfo info_;
 };

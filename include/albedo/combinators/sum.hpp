@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "albedo/core/model.hpp"
+#include "albedo/combinators/wrapping.hpp"
 
 namespace albedo {
 
@@ -15,7 +15,7 @@ namespace albedo {
 /// It claims what follows from its parts' claims: energy conservation if they all claim it and the weights add up to 1
 /// at most, the rest if they all do. Its parameters are theirs, numbered by part: "1.model", "1.weight", "1.rho",
 /// "2.model", …
-class SumModel final : public Model {
+class SumModel final : public WrappingModel {
  public:
   struct Part {
     double weight = 1;
@@ -35,38 +35,28 @@ class SumModel final : public Model {
   [[nodiscard]] Claims claims() const override;
   [[nodiscard]] Parameters parameters() const override;
   [[nodiscard]] std::vector<Lobe> lobes() const override { return lobes_; }
-  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override;
-
-  [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override;
-  [[nodiscard]] double evaluate(int component, const DirectionPair<double>& pair) const noexcept override;
-  [[nodiscard]] float evaluate(int component, const DirectionPair<float>& pair) const noexcept override;
-  [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override;
-
-  [[nodiscard]] bool has_sampler(int component) const noexcept override;
-  [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
-                                      const Block& v) const noexcept override;
-  [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
-                                       double v) const noexcept override;
-  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
-                                     const Quad& v) const override;
-  [[nodiscard]] double density(int component, const UnitVector<double>& l,
-                               const UnitVector<double>& v) const noexcept override;
 
  private:
+  [[nodiscard]] Source source(int component) const noexcept override {
+    const Place& place = places_[static_cast<std::size_t>(component)];
+    return {parts_[place.part].model.get(), place.component};
+  }
+  [[nodiscard]] double factor(int component, double /*cos_l*/, double /*cos_v*/) const noexcept override {
+    return parts_[places_[static_cast<std::size_t>(component)].part].weight;
+  }
+  [[nodiscard]] Block factors(int component, const Block& /*cos_l*/, const Block& /*cos_v*/) const noexcept override {
+    return factor(component, 0, 0);
+  }
+  [[nodiscard]] std::vector<Share> coherent_shares(const Direction& l) const override;
+
   /// Where a component is found.
-  struct Source {
+  struct Place {
     std::size_t part;
     int component;
   };
 
-  [[nodiscard]] const Source& source(int component) const { return sources_[static_cast<std::size_t>(component)]; }
-  [[nodiscard]] const Model& model(const Source& source) const { return *parts_[source.part].model; }
-
-  template <class T>
-  [[nodiscard]] T weighted(int component, const DirectionPair<T>& pair) const;
-
   std::vector<Part> parts_;
-  std::vector<Source> sources_;  // of the components
+  std::vector<Place> places_;  // of the components
   std::vector<Lobe> lobes_;
   ModelInfo info_;
   std::optional<Claims> claims_{};

@@ -3,6 +3,7 @@
 #include <concepts>
 
 #include "albedo/core/parameter.hpp"
+#include "albedo/core/quad.hpp"
 
 namespace albedo {
 
@@ -25,11 +26,40 @@ concept HasMasking = requires(const M& model, const DirectionPair<double>& d) {
   { model.facet_masking(d) } -> std::same_as<double>;
 };
 
+/// The 113-bit formula of a model struct, which it looks at.
+template <class M>
+class ErasedQuad final : public QuadFormula {
+ public:
+  explicit ErasedQuad(const M& model) : model_(model) {}
+
+  [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override {
+    return model_.evaluate(component, pair);
+  }
+  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
+                                     const Quad& v) const override {
+    if constexpr (Samplable<M>) {
+      return model_.sample(component, l, u, v);
+    } else {
+      return Sampled<Quad>::none();
+    }
+  }
+  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override {
+    if constexpr (requires { model_.template coherent_albedo<Quad>(l); })
+      return model_.template coherent_albedo<Quad>(l);
+    return 0;
+  }
+
+ private:
+  const M& model_;
+};
+
 /// A model struct behind the Model interface.
 template <class M>
 class ErasedModel final : public Model {
  public:
-  explicit ErasedModel(M model, const ModelInfo& info) : model_(std::move(model)), info_(info) {}
+  explicit ErasedModel(M model, const ModelInfo& info) : model_(std::move(model)), info_(info), quad_(model_) {}
+  ErasedModel(const ErasedModel&) = delete;
+  ErasedModel& operator=(const ErasedModel&) = delete;
 
   [[nodiscard]] const ModelInfo& info() const override { return info_; }
   [[nodiscard]] Claims claims() const override { return model_.claims(); }
@@ -58,10 +88,7 @@ class ErasedModel final : public Model {
     return lobes;
   }
 
-  [[nodiscard]] Quad coherent_albedo(const Direction& l) const override {
-    if constexpr (requires { model_.coherent_albedo(l); }) return model_.coherent_albedo(l);
-    return 0;
-  }
+  [[nodiscard]] const QuadFormula& quad() const override { return quad_; }
 
   [[nodiscard]] Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept override {
     return model_.evaluate(component, pair);
@@ -72,9 +99,6 @@ class ErasedModel final : public Model {
   [[nodiscard]] float evaluate(int component, const DirectionPair<float>& pair) const noexcept override {
     return model_.evaluate(component, pair);
   }
-  [[nodiscard]] Quad evaluate(int component, const DirectionPair<Quad>& pair) const override {
-    return model_.evaluate(component, pair);
-  }
 
   [[nodiscard]] bool has_sampler(int /*component*/) const noexcept override { return Samplable<M>; }
   [[nodiscard]] Sampled<Block> sample(int component, const UnitVector<Block>& l, const Block& u,
@@ -83,10 +107,6 @@ class ErasedModel final : public Model {
   }
   [[nodiscard]] Sampled<double> sample(int component, const UnitVector<double>& l, double u,
                                        double v) const noexcept override {
-    return sampled(component, l, u, v);
-  }
-  [[nodiscard]] Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
-                                     const Quad& v) const override {
     return sampled(component, l, u, v);
   }
   [[nodiscard]] double density(int component, const UnitVector<double>& l,
@@ -127,6 +147,7 @@ class ErasedModel final : public Model {
 
   M model_;
   const ModelInfo& info_;
+  ErasedQuad<M> quad_;
 };
 
 }  // namespace albedo

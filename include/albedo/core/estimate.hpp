@@ -31,6 +31,15 @@ struct Estimate {
   Status status = Status::converged;
 };
 
+/// An Estimate whose value and error are in the number type of the computation.
+template <class S>
+struct EstimateIn {
+  S value{};
+  S error{};
+  std::int64_t evaluations = 0;
+  Status status = Status::converged;
+};
+
 std::string_view to_string(ErrorKind kind);
 std::string_view to_string(Status status);
 

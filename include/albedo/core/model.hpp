@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -82,10 +83,12 @@ struct ModelInfo {
 using ParameterValue = std::variant<double, std::string>;
 using Parameters = std::vector<std::pair<std::string, ParameterValue>>;
 
+class QuadFormula;
+
 /// A reflectance model with its parameters set: a sum of lobes, each of which can be integrated on a warp of its own.
 ///
 /// The formula behind it is one template over the number type; this interface runs it on a block of pairs (the fast
-/// path), and on one pair in double, float (as a shader would) and 113 bits.
+/// path), on one pair in double and float (as a shader would) and, behind quad(), in 113 bits.
 class Model {
  public:
   virtual ~Model() = default;
@@ -97,16 +100,17 @@ class Model {
   /// The lobes that are not switched off.
   [[nodiscard]] virtual std::vector<Lobe> lobes() const = 0;
 
+  /// The same formula in 113 bits; core/quad.hpp says what it does.
+  [[nodiscard]] virtual const QuadFormula& quad() const = 0;
+
   /// What the model reflects into the mirror direction alone, as a fraction of the light from L: a delta, which is in
-  /// no lobe and no f(L,V), but is part of the albedo. 0 unless a model says otherwise. In 113 bits, since e^(−g) loses
-  /// digits where g is large.
-  [[nodiscard]] virtual Quad coherent_albedo(const Direction& /*l*/) const { return 0; }
+  /// no lobe and no f(L,V), but is part of the albedo. 0 unless a model says otherwise. Rounded from 113 bits.
+  [[nodiscard]] double coherent_albedo(const Direction& l) const;
 
   /// Lobe `component`'s f(L,V) [1/sr].
   [[nodiscard]] virtual Block evaluate(int component, const DirectionPair<Block>& pair) const noexcept = 0;
   [[nodiscard]] virtual double evaluate(int component, const DirectionPair<double>& pair) const noexcept = 0;
   [[nodiscard]] virtual float evaluate(int component, const DirectionPair<float>& pair) const noexcept = 0;
-  [[nodiscard]] virtual Quad evaluate(int component, const DirectionPair<Quad>& pair) const = 0;
 
   /// Whether lobe `component` has a published way to draw V for a given L; sample and density answer NaN otherwise.
   [[nodiscard]] virtual bool has_sampler(int /*component*/) const noexcept { return false; }
@@ -115,8 +119,6 @@ class Model {
                                               const Block& v) const noexcept;
   [[nodiscard]] virtual Sampled<double> sample(int component, const UnitVector<double>& l, double u,
                                                double v) const noexcept;
-  [[nodiscard]] virtual Sampled<Quad> sample(int component, const UnitVector<Quad>& l, const Quad& u,
-                                             const Quad& v) const;
   /// The density [1/sr] with which that sampler draws V; ∫ density dω_V = 1 over the whole sphere.
   [[nodiscard]] virtual double density(int component, const UnitVector<double>& l,
                                        const UnitVector<double>& v) const noexcept;
@@ -135,21 +137,23 @@ class Model {
   Model& operator=(const Model&) = default;
 };
 
-/// f(L,V) [1/sr], the sum of a model's lobes, for directions in the number type T (double, float or Quad).
+/// f(L,V) [1/sr], the sum of a model's lobes, for directions in the number type T (double or float; Quad with
+/// core/quad.hpp).
 template <class T>
 T brdf(const Model& model, const Direction& l, const Direction& v);
 
-extern template double brdf<double>(const Model&, const Direction&, const Direction&);
-extern template float brdf<float>(const Model&, const Direction&, const Direction&);
-extern template Quad brdf<Quad>(const Model&, const Direction&, const Direction&);
+template <>
+double brdf<double>(const Model&, const Direction&, const Direction&);
+template <>
+float brdf<float>(const Model&, const Direction&, const Direction&);
 
 /// A model by name; parameters that are not given have their default.
 /// @throws UnknownModel (with a suggestion for a misspelt name), ParameterError (unknown name, value outside its
 /// range).
 std::unique_ptr<Model> make_model(std::string_view name, const Parameters& parameters = {});
 
-/// Every model's information, in the order of models/all.hpp, then of register_model.
-const std::vector<ModelInfo>& model_infos();
+/// Every model's information, in the order of models/all.hpp, then of register_model; it stays where it is.
+const std::deque<ModelInfo>& model_infos();
 
 /// The information of one model. @throws UnknownModel
 const ModelInfo& model_info(std::string_view name);

@@ -4,32 +4,29 @@
 #error "albedo relies on IEEE arithmetic (NaN, infinity, exact differences): build it without -ffast-math"
 #endif
 
-// Quad needs nothing of GNU's __float128. Where it is on, in -std=gnu++20, Boost would have every program link
-// libquadmath.
-#include <boost/config.hpp>
-#undef BOOST_HAS_FLOAT128
-
-#include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <type_traits>
 
 #include "albedo/core/block.hpp"
 
 namespace albedo {
 
-/// 113-bit binary floating point: the arithmetic that true errors are measured in.
-using Quad = boost::multiprecision::number<
-    boost::multiprecision::backends::cpp_bin_float<113, boost::multiprecision::backends::digit_base_2, void,
-                                                   std::int16_t, -16382, 16383>,
-    boost::multiprecision::et_off>;
-
 /// The scalar in which a number type's constants are kept: double for a block, the type itself otherwise.
 template <class T>
 using Scalar = std::conditional_t<std::is_same_v<T, Block>, double, T>;
 
+/// Whether a number type has more digits than a double: formulas then cut their series later.
 template <class T>
-inline const Scalar<T> pi = boost::math::constants::pi<Scalar<T>>();
+inline constexpr bool is_wide = std::numeric_limits<Scalar<T>>::digits > std::numeric_limits<double>::digits;
+
+/// π, by its scalar; core/quad.hpp has that of 113 bits.
+template <class S>
+inline const S pi_of = std::numbers::pi_v<S>;
+
+template <class T>
+inline const Scalar<T>& pi = pi_of<Scalar<T>>;
 
 // What a formula may call beside + − × ÷, for every number type; Block's own versions live in block.hpp.
 using std::abs;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <boost/math/special_functions/erf.hpp>
 
 #include "albedo/core/number.hpp"
 
@@ -23,32 +22,27 @@ inline constexpr std::array<double, 25> scaled_erfc_powers{
 
 }  // namespace detail
 
+/// e^(x²) erfc(x) in T; core/quad.hpp has that of 113 bits.
+template <class T>
+struct ScaledErfc {
+  static T at(const T& x) {
+    constexpr double centre = 3.75;
+    const T t = (x - T(centre)) / (x + T(centre));
+    const T t2 = square(t);
+    const auto power = [](std::size_t k) { return T(static_cast<Scalar<T>>(detail::scaled_erfc_powers[k])); };
+    T even = power(24), odd = power(23);
+    for (std::size_t k = 22; k > 0; k -= 2) {
+      even = even * t2 + power(k);
+      odd = odd * t2 + power(k - 1);
+    }
+    return (even * t2 + power(0) + t * odd) / (x + x + T(1.0));
+  }
+};
+
 /// The scaled complementary error function e^(x²) erfc(x) for x ≥ 0, to 1e-15 (float: 6e-7), without a branch.
 template <class T>
 T scaled_erfc(const T& x) {
-  constexpr double centre = 3.75;
-  const T t = (x - T(centre)) / (x + T(centre));
-  const T t2 = square(t);
-  const auto power = [](std::size_t k) { return T(static_cast<Scalar<T>>(detail::scaled_erfc_powers[k])); };
-  T even = power(24), odd = power(23);
-  for (std::size_t k = 22; k > 0; k -= 2) {
-    even = even * t2 + power(k);
-    odd = odd * t2 + power(k - 1);
-  }
-  return (even * t2 + power(0) + t * odd) / (x + x + T(1.0));
-}
-
-/// The same in 113 bits, from Boost's erfc or, where that would underflow, the asymptotic series.
-inline Quad scaled_erfc(const Quad& x) {
-  constexpr int far = 50;
-  if (x < far) return exp(Quad(x * x)) * boost::math::erfc(x);
-  constexpr int terms = 20;  // (2k − 1)!!/(2x²)^k is below 1e-40 there
-  Quad sum = 1, term = 1;
-  for (int k = 1; k <= terms; ++k) {
-    term *= -Quad(2 * k - 1) / (2 * x * x);
-    sum += term;
-  }
-  return sum / (x * sqrt(pi<Quad>));
+  return ScaledErfc<T>::at(x);
 }
 
 /// Lambert's W on x ≥ 0, the w of w e^w = x: Newton's iteration for w + ln w = ln x from a start that is good to 2e-2
@@ -56,7 +50,7 @@ inline Quad scaled_erfc(const Quad& x) {
 template <class T>
 T lambert_w(const T& argument) {
   constexpr double least = 1e-37;  // W is its argument there, and a float still holds it
-  constexpr int iterations = std::is_same_v<T, Quad> ? 5 : 4;
+  constexpr int iterations = is_wide<T> ? 5 : 4;
   const T x = max(argument, T(least));
   const T l = log1p(x);
   T w = l * (1 - log1p(l) / (2 + l));

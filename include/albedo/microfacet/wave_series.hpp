@@ -11,32 +11,17 @@ namespace detail {
 /// What a number type's sum leaves out, in factors e and in standard deviations, and how fine a resampled one is.
 template <class T>
 struct WaveSeriesAccuracy {
-  static constexpr double left_out = 40, left = 10, right = 8.7, steps = 1.6, least_peak = 24;
-  static constexpr std::size_t stirling_terms = 7;
-};
-template <>
-struct WaveSeriesAccuracy<Quad> {
-  static constexpr double left_out = 65, left = 13.5, right = 11.5, steps = 2.1, least_peak = 60;
-  static constexpr std::size_t stirling_terms = 13;
+  static constexpr double left_out = is_wide<T> ? 65 : 40, left = is_wide<T> ? 13.5 : 10,
+                          right = is_wide<T> ? 11.5 : 8.7, steps = is_wide<T> ? 2.1 : 1.6,
+                          least_peak = is_wide<T> ? 60 : 24;
+  static constexpr std::size_t stirling_terms = is_wide<T> ? 13 : 7;
 };
 
 inline constexpr int most_wave_terms = 240;
 
 /// ln(m! m) for m = 0 (not used), 1, …, in 113 bits, rounded to S.
 template <class S>
-const std::array<S, most_wave_terms + 1>& wave_term_logarithms() {
-  static const auto table = [] {
-    std::array<S, most_wave_terms + 1> logarithms{};
-    Quad factorial = 0;
-    for (int m = 1; m <= most_wave_terms; ++m) {
-      const Quad log_m = log(Quad(m));
-      factorial += log_m;
-      logarithms[static_cast<std::size_t>(m)] = static_cast<S>(factorial + log_m);
-    }
-    return logarithms;
-  }();
-  return table;
-}
+const std::array<S, most_wave_terms + 1>& wave_term_logarithms();
 
 /// B_2k/(2k(2k − 1)), the coefficients of 1/m^(2k − 1) in Stirling's series of ln(m!/(√(2πm) (m/e)^m)).
 inline constexpr std::array<double, 13> stirling_numerators{1,     -1,    1,       -1,    1,          -691,  1,
@@ -58,7 +43,7 @@ T stirling_remainder(const T& m) {
 template <class T>
 T log1p_minus(const T& x, const T& y) {
   constexpr double small = 0.25;
-  constexpr int terms = std::is_same_v<T, Quad> ? 20 : 10;
+  constexpr int terms = is_wide<T> ? 20 : 10;
   const T z = x / (2 + x), z2 = square(z);  // ln(1 + x) = 2 artanh(z), 2z − x = −z x
   T sum(0.0);
   for (int k = terms; k > 0; --k) sum = sum * z2 + T(Scalar<T>(1) / Scalar<T>(2 * k + 1));
@@ -105,13 +90,13 @@ T wave_series(const T& g, const T& ratio) {
   // how far each condition of resampling is met
   const T met = min(min(T(variance - T(square(Accuracy::steps))), T(rise - T(Accuracy::left_out))),
                     T(peak - T(Accuracy::least_peak)));
-  const auto is_wide = met > T(0.0);
+  const auto is_resampled = met > T(0.0);
 
   // beyond the peak the terms fall at least as a Poisson distribution's do
   constexpr double third = Accuracy::left_out / 3;
   const T from = max(T(1.0), peak);
   const T last = from + T(third) + sqrt(T(square(third)) + T(2 * Accuracy::left_out) * from);
-  const double count = detail::largest(select(is_wide, T(0.0), last));
+  const double count = detail::largest(select(is_resampled, T(0.0), last));
   const int terms = count <= detail::most_wave_terms ? static_cast<int>(count) : detail::most_wave_terms;
   const auto& logarithms = detail::wave_term_logarithms<Scalar<T>>();
   T summed(0.0);
@@ -119,9 +104,9 @@ T wave_series(const T& g, const T& ratio) {
     const T constant(logarithms[static_cast<std::size_t>(m)]);
     summed += exp(T(T(Scalar<T>(m)) * log_g - constant - g - b * T(Scalar<T>(1) / Scalar<T>(m))));
   }
-  if (!detail::any(is_wide)) return summed;
+  if (!detail::any(is_resampled)) return summed;
 
-  const T root = sqrt(select(is_wide, peak, T(100.0)));
+  const T root = sqrt(select(is_resampled, peak, T(100.0)));
   const T spread = 1 / (2 * sqrt(T(1 + w)));
   const T step = spread / T(Accuracy::steps);
   const T excess = root * root * expm1(T(-w / 2));  // g − m₀
@@ -135,7 +120,7 @@ T wave_series(const T& g, const T& ratio) {
     const T x = (excess - beside) / m;
     integrated += exp(T(m * detail::log1p_minus(x, T(held / m)) - b / m - detail::stirling_remainder(m))) / m;
   }
-  return select(is_wide, T(integrated * step * 2 / sqrt(2 * pi<T>)), summed);
+  return select(is_resampled, T(integrated * step * 2 / sqrt(2 * pi<T>)), summed);
 }
 
 }  // namespace albedo

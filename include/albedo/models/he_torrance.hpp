@@ -77,15 +77,16 @@ struct HeTorrance {
   }
 
   /// k_s F e^(−g) S of the mirror direction.
-  [[nodiscard]] Quad coherent_albedo(const Direction& l) const {
+  template <class T>
+  [[nodiscard]] T coherent_albedo(const Direction& l) const {
     if (part == Part::directional_diffuse) return 0;
-    Quad cosine, sine;
+    T cosine, sine;
     polar_angle(l, cosine, sine);
     if (cosine == 0) return 0;  // S₁
-    const Side<Quad> there = side(sine, Quad(0), cosine);
-    const Quad shrink = 1 + lambert_w(min(Quad(huge<Quad>), Quad(square(there.k) / (2 * pi<Quad>))));
-    const Quad g = square(Quad(4 * pi<Quad> * sigma0 / wavelength * cosine)) / shrink;
-    return k_s * fresnel(cosine) * exp(Quad(-g)) * square(Quad(cosine * there.visibility));
+    const Side<T> there = side(sine, T(0), cosine);
+    const T shrink = 1 + lambert_w(min(T(huge<T>), T(square(there.k) / (2 * pi<T>))));
+    const T g = square(T(4 * pi<T> * sigma0 / wavelength * cosine)) / shrink;
+    return k_s * fresnel(cosine) * exp(T(-g)) * square(T(cosine * there.visibility));
   }
 
  private:

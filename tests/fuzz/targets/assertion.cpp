@@ -1,4 +1,4 @@
-#include "analysis/input/assertion.hpp"
+#include "analysis/text/assertion.hpp"
 
 #include <cmath>
 #include <limits>

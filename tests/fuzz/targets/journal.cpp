@@ -1,4 +1,4 @@
-#include "analysis/tiles/tile_journal.hpp"
+#include "analysis/files/tile_journal.hpp"
 
 #include "fuzz/unfinished_table.hpp"
 

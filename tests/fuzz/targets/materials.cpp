@@ -1,8 +1,8 @@
-#include "analysis/input/materials.hpp"
+#include "analysis/subjects/materials.hpp"
 
 #include <algorithm>
 
-#include "analysis/material_table.hpp"
+#include "analysis/subjects/material_table.hpp"
 #include "fuzz/fuzz.hpp"
 
 ALBEDO_FUZZ_TARGET(materials) {

@@ -1,4 +1,4 @@
-#include "analysis/input/value.hpp"
+#include "analysis/text/value.hpp"
 
 #include <cmath>
 

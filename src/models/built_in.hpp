@@ -1,0 +1,44 @@
+/// @file
+/// The library's own models, instantiated by a few sources that share them out, so that none takes long to compile.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "albedo/registry.hpp"
+
+namespace albedo {
+
+struct BuiltInModel {
+  const ModelInfo& info;
+  detail::Factory factory;
+};
+
+inline constexpr std::size_t built_in_parts = 4;
+
+/// Every built_in_parts-th model of models/all.hpp, from number `part` on.
+template <std::size_t part>
+std::vector<BuiltInModel> built_in_part();
+template <>
+std::vector<BuiltInModel> built_in_part<0>();
+template <>
+std::vector<BuiltInModel> built_in_part<1>();
+template <>
+std::vector<BuiltInModel> built_in_part<2>();
+template <>
+std::vector<BuiltInModel> built_in_part<3>();
+
+/// All of them, in the order of models/all.hpp.
+inline std::vector<BuiltInModel> built_in_models() {
+  const std::array parts{built_in_part<0>(), built_in_part<1>(), built_in_part<2>(), built_in_part<3>()};
+  static_assert(std::tuple_size_v<decltype(parts)> == built_in_parts);
+  std::vector<BuiltInModel> models;
+  for (std::size_t i = 0; i < parts[i % built_in_parts].size() * built_in_parts; ++i) {
+    models.push_back(parts[i % built_in_parts][i / built_in_parts]);
+    if (i + 1 == parts[0].size() + parts[1].size() + parts[2].size() + parts[3].size()) break;
+  }
+  return models;
+}
+
+}  // namespace albedo
