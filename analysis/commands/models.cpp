@@ -104,7 +104,9 @@ Json model_json(const ModelInfo& info) {
   return object;
 }
 
-void print_markdown(const std::deque<ModelInfo>& infos) {
+using ModelInfos = std::vector<std::reference_wrapper<const ModelInfo>>;
+
+void print_markdown(const ModelInfos& infos) {
   std::cout << "| model | title | parameters | claims | source |\n|---|---|---|---|---|\n";
   for (const ModelInfo& info : infos) {
     std::vector<std::string> parameters;
@@ -118,7 +120,7 @@ void print_markdown(const std::deque<ModelInfo>& infos) {
 
 int run(const Arguments& arguments) {
   const bool is_list = arguments.name.empty();
-  const std::deque<ModelInfo> infos = is_list ? model_infos() : std::deque{model_info(arguments.name)};
+  const ModelInfos infos = is_list ? model_infos() : ModelInfos{model_info(arguments.name)};
   if (arguments.markdown) {
     print_markdown(infos);
   } else if (arguments.json) {
@@ -127,7 +129,7 @@ int run(const Arguments& arguments) {
     std::cout << json_text(is_list ? list : list.front()) << '\n';
   } else {
     for (const ModelInfo& info : infos) {
-      if (&info != &infos.front()) std::cout << '\n';
+      if (&info != &infos.front().get()) std::cout << '\n';
       print_text(info);
     }
   }

@@ -13,8 +13,8 @@ std::vector<BuiltInModel> share_of(ModelList<Models...>) {
     (
         [&] {
           if constexpr (I % built_in_parts == part) {
-            using Model = std::tuple_element_t<I, std::tuple<Models...>>;
-            share.push_back({detail::complete_info<Model>(), &make_model<Model>});
+            using M = std::tuple_element_t<I, std::tuple<Models...>>;
+            share.push_back({detail::complete_info<M>(), &make_model<M>});
           }
         }(),
         ...);

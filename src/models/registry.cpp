@@ -15,7 +15,7 @@ std::string text(const Range& range) {
 }
 
 struct Registry {
-  std::deque<ModelInfo> infos;
+  std::vector<std::reference_wrapper<const ModelInfo>> infos;
   std::vector<detail::Factory> factories;
 
   static Registry& instance() {
@@ -28,12 +28,13 @@ struct Registry {
   }
 
   void add(const ModelInfo& info, detail::Factory factory) {
-    infos.push_back(info);
+    infos.emplace_back(info);
     factories.push_back(factory);
   }
 
   [[nodiscard]] std::size_t find(std::string_view name) const {
-    const auto found = std::ranges::find(infos, name, &ModelInfo::name);
+    const auto found =
+        std::ranges::find(infos, name, [](const ModelInfo& info) { return std::string_view(info.name); });
     if (found != infos.end()) return static_cast<std::size_t>(found - infos.begin());
     std::vector<std::string> names;
     for (const ModelInfo& info : infos) names.push_back(info.name);
@@ -162,7 +163,7 @@ std::unique_ptr<Model> make_model(std::string_view name, const Parameters& param
   return registry.factories[index](parameters);
 }
 
-const std::deque<ModelInfo>& model_infos() { return Registry::instance().infos; }
+std::vector<std::reference_wrapper<const ModelInfo>> model_infos() { return Registry::instance().infos; }
 
 const ModelInfo& model_info(std::string_view name) {
   const Registry& registry = Registry::instance();

@@ -140,7 +140,7 @@ TEST(Registry, ARegisteredStructIsKnownByItsName) {
   albedo::register_model<Plain>();
   EXPECT_EQ(&albedo::model_info("ward"), &ward);
   EXPECT_EQ(&albedo::model_info("darkening"), &early->info());
-  EXPECT_EQ(albedo::model_infos().back().name, "plain");
+  EXPECT_EQ(albedo::model_infos().back().get().name, "plain");
 
   const auto model = albedo::make_model("darkening", {{"all", 3.0}});
   EXPECT_EQ(std::get<double>(model->parameters()[0].second), 3);

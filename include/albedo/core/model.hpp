@@ -1,6 +1,6 @@
 #pragma once
 
-#include <deque>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -153,7 +153,7 @@ float brdf<float>(const Model&, const Direction&, const Direction&);
 std::unique_ptr<Model> make_model(std::string_view name, const Parameters& parameters = {});
 
 /// Every model's information, in the order of models/all.hpp, then of register_model; it stays where it is.
-const std::deque<ModelInfo>& model_infos();
+std::vector<std::reference_wrapper<const ModelInfo>> model_infos();
 
 /// The information of one model. @throws UnknownModel
 const ModelInfo& model_info(std::string_view name);
