@@ -140,7 +140,8 @@ Command add_shader(CLI::App& program) {
   app->footer(
       "A function of one cosine for each step: 1/a_0, 1/a_1, ... of pumping, 1/s of balance, m of multiscatter, 1/a "
       "of\n"
-      "turquin. The nodes are cos_theta = (i/(N-1))^2, to interpolate linearly in sqrt(cos_theta); doc/shaders.md has\n"
+      "turquin. The nodes are cos_theta = (i/(N-1))^2, to interpolate linearly in sqrt(cos_theta); doc/corrections.md "
+      "has\n"
       "the C++ and GLSL that evaluate them. Axes: function, the parameters that vary, cos_theta.\n"
       "Examples:\n"
       "  albedo shader phong n=20 --pump 3 -o phong.hpp\n"

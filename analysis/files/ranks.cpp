@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "albedo/core/errors.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -85,18 +86,18 @@ void Ranks::together(const std::function<void()>& work) {
 std::unique_ptr<Ranks> join_ranks() {
   const Launch started = launch();
   if (started.size == 1) return std::make_unique<SingleRank>();
-#ifdef ALBEDO_MPI
   std::unique_ptr<Ranks> ranks = join_mpi_ranks();
+  if (ranks != nullptr && ranks->size() == started.size) return ranks;
+  const std::string begin =
+      fmt::format("{} processes were started together ({}), and ", started.size, started.variable);
+  if (ranks == nullptr) {
+    throw ParameterError(begin + "this program was built without MPI: build it with -DALBEDO_MPI=ON, or start one");
+  }
   const int found = ranks->size();
-  if (found == started.size) return ranks;
   ranks.reset();
-  throw ParameterError(std::to_string(started.size) + " processes were started together (" + started.variable +
-                       "), and MPI finds " + std::to_string(found) +
-                       ": this program's MPI is not the launcher's (with srun, try --mpi=pmix)");
-#else
-  throw ParameterError(std::to_string(started.size) + " processes were started together (" + started.variable +
-                       "), and this program was built without MPI: build it with -DALBEDO_MPI=ON, or start one");
-#endif
+  throw ParameterError(begin + fmt::format("MPI finds {}: this program's MPI is not the launcher's (with srun, try "
+                                           "--mpi=pmix)",
+                                           found));
 }
 
 }  // namespace albedo::analysis

@@ -54,9 +54,7 @@ class Ranks {
 /// @throws ParameterError if there are several, and this program was built without MPI or MPI doesn't find the others
 [[nodiscard]] std::unique_ptr<Ranks> join_ranks();
 
-#ifdef ALBEDO_MPI
-/// Once in a process, which then can't join again.
+/// By MPI; nothing where the program was built without it. Once in a process, which then can't join again.
 [[nodiscard]] std::unique_ptr<Ranks> join_mpi_ranks();
-#endif
 
 }  // namespace albedo::analysis

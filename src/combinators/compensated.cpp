@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "combinators/check.hpp"
+#include "core/check.hpp"
 
 namespace albedo {
 namespace {

@@ -3,7 +3,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "albedo/registry.hpp"
-#include "combinators/check.hpp"
+#include "core/check.hpp"
 
 namespace albedo {
 namespace {

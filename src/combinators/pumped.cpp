@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "albedo/core/errors.hpp"
+#include "core/text.hpp"
 
 namespace albedo {
 namespace {
@@ -39,8 +40,8 @@ bool falls(const PumpDivisor& divisor) {
 PumpedModel::PumpedModel(std::unique_ptr<Model> base, const PumpOptions& options)
     : ScaledModel(std::move(base), pumped_info()), options_(options) {
   if (options.times < 0 || options.times > PumpOptions::most_times) {
-    throw ParameterError("pumping: times is " + std::to_string(options.times) + " and must be within [0, " +
-                         std::to_string(PumpOptions::most_times) + "]");
+    throw ParameterError(
+        fmt::format("pumping: times is {} and must be within [0, {}]", options.times, int{PumpOptions::most_times}));
   }
   if (options.times == 0) return;
   PumpSequence sequence(this->base(), options.control, options.only_up, options.tolerance);

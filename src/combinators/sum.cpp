@@ -1,25 +1,23 @@
 #include "albedo/combinators/sum.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/parameter.hpp"
+#include "core/text.hpp"
 
 namespace albedo {
 namespace {
 
-std::string numbered(std::size_t part, const std::string& name) { return std::to_string(part + 1) + "." + name; }
+std::string numbered(std::size_t part, const std::string& name) { return fmt::format("{}.{}", part + 1, name); }
 
 void check(const std::vector<SumModel::Part>& parts) {
   if (parts.empty()) throw ParameterError("a sum has no parts and must have at least one");
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!parts[i].model) throw ParameterError("part " + std::to_string(i + 1) + " of the sum has no model");
+    if (!parts[i].model) throw ParameterError(fmt::format("part {} of the sum has no model", i + 1));
     if (scale_range.contains(parts[i].weight)) continue;
-    std::ostringstream message;
-    message << "sum: the weight of part " << i + 1 << " is " << parts[i].weight << " and must be within ["
-            << scale_range.minimum << ", " << scale_range.maximum << "]";
-    throw ParameterError(message.str());
+    throw ParameterError(fmt::format("sum: the weight of part {} is {:g} and must be within [{:g}, {:g}]", i + 1,
+                                     parts[i].weight, scale_range.minimum, scale_range.maximum));
   }
 }
 

@@ -4,9 +4,9 @@
 #include <boost/math/special_functions/sin_pi.hpp>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "albedo/core/errors.hpp"
+#include "core/text.hpp"
 
 namespace albedo {
 namespace {
@@ -18,16 +18,11 @@ void set_azimuth(Direction& direction, double phi) {
   direction.sin_phi = boost::math::sin_pi(turn);
 }
 
-std::string text(double value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
-
 }  // namespace
 
 Direction Direction::from_degrees(double theta, double phi) {
-  if (!(theta >= 0 && theta <= 90)) throw ParameterError("theta is " + text(theta) + "° and must be within [0, 90]");
+  if (!(theta >= 0 && theta <= 90))
+    throw ParameterError(fmt::format("theta is {:g}° and must be within [0, 90]", theta));
   Direction direction;
   direction.cos_theta = boost::math::sin_pi((90 - theta) / 180);
   direction.sin_theta = boost::math::sin_pi(theta / 180);
@@ -37,7 +32,7 @@ Direction Direction::from_degrees(double theta, double phi) {
 
 Direction Direction::from_cosine(double cos_theta, double phi) {
   if (!(cos_theta >= 0 && cos_theta <= 1)) {
-    throw ParameterError("cos_theta is " + text(cos_theta) + " and must be within [0, 1]");
+    throw ParameterError(fmt::format("cos_theta is {:g} and must be within [0, 1]", cos_theta));
   }
   Direction direction;
   direction.cos_theta = cos_theta;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "albedo/core/errors.hpp"
+#include "core/text.hpp"
 #include "integration/integrand_of.hpp"
 #include "integration/quad_integrand.hpp"
 #include "rules/cubature.hpp"
@@ -143,12 +143,9 @@ void require_samplers(const Model& model) {
 
 void check(const AlbedoOptions& options) {
   if (!(options.tolerance >= 1e-30 && options.tolerance < 1)) {
-    std::ostringstream message;
-    message << "tolerance is " << options.tolerance << " and must be within [1e-30, 1)";
-    throw ParameterError(message.str());
+    throw ParameterError(fmt::format("tolerance is {:g} and must be within [1e-30, 1)", options.tolerance));
   }
-  if (options.budget < 1)
-    throw ParameterError("budget is " + std::to_string(options.budget) + " and must be at least 1");
+  if (options.budget < 1) throw ParameterError(fmt::format("budget is {} and must be at least 1", options.budget));
 }
 
 Estimate directional_albedo(const Model& model, const Direction& l, const AlbedoOptions& options) {

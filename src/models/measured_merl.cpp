@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/text.hpp"
 #include "models/measured.hpp"
 
 namespace albedo {
@@ -66,17 +67,18 @@ std::shared_ptr<const MeasuredTable> read_merl(const MeasuredFile& file, int cha
     std::int32_t count = 0;
     std::memcpy(&count, file.bytes.data() + i * sizeof count, sizeof count);
     if (count < 2 || static_cast<std::uint64_t>(count) > room / entries) {
-      file.refuse(
-          "is neither an RGL .bsdf file nor a whole MERL .binary file: as the latter its header has a dimension of " +
-          std::to_string(count) + " in " + std::to_string(file.bytes.size()) + " bytes");
+      file.refuse(fmt::format(
+          "is neither an RGL .bsdf file nor a whole MERL .binary file: as the latter its header has a dimension of {} "
+          "in {} bytes",
+          count, file.bytes.size()));
     }
     entries *= static_cast<std::uint64_t>(count);
     counts[i] = static_cast<std::size_t>(count);
   }
   const std::uint64_t expected = head + entries * channels * sizeof(double);
   if (expected != file.bytes.size()) {
-    file.refuse("has " + std::to_string(file.bytes.size()) + " bytes and must have " + std::to_string(expected) +
-                " as a MERL .binary file of its header");
+    file.refuse(
+        fmt::format("has {} bytes and must have {} as a MERL .binary file of its header", file.bytes.size(), expected));
   }
   std::vector<double> values(static_cast<std::size_t>(entries));
   const auto index = static_cast<std::size_t>(channel);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/text.hpp"
 #include "models/measured.hpp"
 
 namespace albedo {
@@ -58,26 +59,24 @@ Field read_field(const MeasuredFile& file, Head& head) {
   const int dimensions = head.number<std::uint16_t>();
   field.type = head.number<std::uint8_t>();
   const auto begin = head.number<std::uint64_t>();
-  if (dimensions > most_dimensions)
-    file.refuse("is corrupt: a field has " + std::to_string(dimensions) + " dimensions");
-  if (field.type < 1 || field.type > 11) file.refuse("is corrupt: a field is of type " + std::to_string(field.type));
+  if (dimensions > most_dimensions) file.refuse(fmt::format("is corrupt: a field has {} dimensions", dimensions));
+  if (field.type < 1 || field.type > 11) file.refuse(fmt::format("is corrupt: a field is of type {}", field.type));
   const std::uint64_t size = file.bytes.size();
   std::uint64_t bytes = sizes[static_cast<std::size_t>(field.type)];
   for (int i = 0; i < dimensions; ++i) {
     const auto extent = head.number<std::uint64_t>();
     if (extent == 0 || extent > size) {
-      file.refuse("is truncated or corrupt: a field has a dimension of " + std::to_string(extent) + " in a file of " +
-                  std::to_string(size) + " bytes");
+      file.refuse(
+          fmt::format("is truncated or corrupt: a field has a dimension of {} in a file of {} bytes", extent, size));
     }
     if (extent > size / bytes) {
-      file.refuse("is truncated: a field is larger than the file of " + std::to_string(size) + " bytes");
+      file.refuse(fmt::format("is truncated: a field is larger than the file of {} bytes", size));
     }
     bytes *= extent;
     field.shape.push_back(static_cast<std::size_t>(extent));
   }
   if (begin > size || bytes > size - begin) {
-    file.refuse("is truncated: a field of " + std::to_string(bytes) + " bytes at " + std::to_string(begin) +
-                " in a file of " + std::to_string(size));
+    file.refuse(fmt::format("is truncated: a field of {} bytes at {} in a file of {}", bytes, begin, size));
   }
   field.begin = static_cast<std::size_t>(begin);
   return field;
@@ -90,7 +89,7 @@ class Fields {
     head.text(tensor_magic_size);
     const int major = head.number<std::uint8_t>(), minor = head.number<std::uint8_t>();
     if (major != 1 || minor != 0) {
-      file.refuse("has version " + std::to_string(major) + "." + std::to_string(minor) + " and must have 1.0");
+      file.refuse(fmt::format("has version {}.{} and must have 1.0", major, minor));
     }
     const auto count = head.number<std::uint32_t>();
     for (std::uint32_t i = 0; i < count; ++i) fields_.push_back(read_field(file, head));
@@ -104,8 +103,8 @@ class Fields {
                    (name == "rgb" ? ": only RGB files can be read, not spectral ones" : ""));
     }
     if (found->shape.size() != dimensions) {
-      file_.refuse("has " + std::to_string(found->shape.size()) + " dimensions in field '" + name + "' and must have " +
-                   std::to_string(dimensions));
+      file_.refuse(
+          fmt::format("has {} dimensions in field '{}' and must have {}", found->shape.size(), name, dimensions));
     }
     return *found;
   }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "combinators/check.hpp"
+#include "core/check.hpp"
 #include "numerics/larger.hpp"
 #include "pumping/kernel_row.hpp"
 

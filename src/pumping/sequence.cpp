@@ -5,7 +5,7 @@
 #include <map>
 
 #include "albedo/directional_albedo.hpp"
-#include "combinators/check.hpp"
+#include "core/check.hpp"
 #include "numerics/larger.hpp"
 #include "pumping/kernel_row.hpp"
 

@@ -75,7 +75,7 @@ TEST(ShaderTables, TheDocumentHasTheCodeThatIsTested) {
     std::ifstream file(ALBEDO_MATERIALS_DIR "/../../" + path);
     return std::string(std::istreambuf_iterator<char>(file), {});
   };
-  const std::string document = text_of("doc/shaders.md");
+  const std::string document = text_of("doc/corrections.md");
   for (const char* const name : {"examples/shader/corrections.hpp", "examples/shader/corrections.glsl"}) {
     const std::string code = text_of(name);
     EXPECT_GT(code.size(), 500U) << name;
