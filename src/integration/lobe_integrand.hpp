@@ -5,10 +5,8 @@
 #include <bit>
 #include <cstddef>
 
-#include "core/formula_of.hpp"
 #include "core/integrand.hpp"
-#include "integration/as_float.hpp"
-#include "warps/sample.hpp"
+#include "integration/lobe_formula.hpp"
 
 namespace albedo {
 
@@ -19,11 +17,7 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
 
  public:
   LobeIntegrand(const Model& model, const Lobe& lobe, const Direction& l, double tolerance, bool as_float)
-      : model_(model),
-        formula_(FormulaOf<T>::of(model)),
-        component_(lobe.component),
-        as_float_(as_float),
-        warp_(lobe, l, tolerance) {
+      : formula_(model, lobe.component, as_float), warp_(lobe, l, tolerance) {
     this->panels_ = warp_.panels();
     this->truncation_ = warp_.truncation();
     for (Panel& panel : this->panels_) panel.layered = panel.layered || lobe.hidden_kinks;
@@ -54,10 +48,10 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
       for (int i = 0; i < count; i += block_width) {
         const int filled = std::min(block_width, count - i);
         const auto line = warp_.line(panel, Block::load_partial(v + i, filled));
-        value(warp_.point(panel, line, Block::load_partial(u + i, filled))).store(w + i, filled);
+        formula_(warp_.point(panel, line, Block::load_partial(u + i, filled))).store(w + i, filled);
       }
     } else {
-      for (int i = 0; i < count; ++i) w[i] = value(warp_.point(panel, warp_.line(panel, v[i]), u[i]));
+      for (int i = 0; i < count; ++i) w[i] = formula_(warp_.point(panel, warp_.line(panel, v[i]), u[i]));
     }
   }
 
@@ -80,7 +74,7 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
       for (int j = 0; j < count_v; ++j) {
         const auto line = warp_.line(panel, v[j]);
         for (int i = 0; i < count_u; ++i) {
-          w[std::ptrdiff_t{i} * count_v + j] = value(warp_.point(panel, line, u[i]));
+          w[std::ptrdiff_t{i} * count_v + j] = formula_(warp_.point(panel, line, u[i]));
         }
       }
     }
@@ -115,28 +109,18 @@ class LobeIntegrand final : public Integrand<Scalar<T>> {
     int i = 0;
     for (; i + 2 * points <= count_u; i += 2 * points) {  // in pairs: one works while the other waits for a root
       const Sample<Block> samples[]{sample(i, all), sample(i + points, all)};
-      const Block results[]{value(samples[0]), value(samples[1])};
+      const Block results[]{formula_(samples[0]), formula_(samples[1])};
       put(results[0], i, all);
       put(results[1], i + points, all);
     }
     for (; i < count_u; i += points) {
       const int filled = std::min(points, count_u - i);
-      put(value(sample(i, filled)), i, filled);
+      put(formula_(sample(i, filled)), i, filled);
     }
     return rays;
   }
 
-  T value(const Sample<T>& sample) const {
-    if constexpr (blocks) {
-      if (as_float_) return evaluate_as_float(model_, component_, sample.pair) * sample.weight;
-    }
-    return formula_.evaluate(component_, sample.pair) * sample.weight;
-  }
-
-  const Model& model_;
-  const typename FormulaOf<T>::Type& formula_;
-  int component_;
-  bool as_float_;
+  LobeFormula<T> formula_;
   WarpIn<T> warp_;
 };
 

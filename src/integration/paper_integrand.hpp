@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "integration/as_float.hpp"
+#include "integration/lobe_formula.hpp"
 #include "warps/paper.hpp"
 
 namespace albedo {
@@ -16,11 +16,7 @@ class PaperIntegrand final : public Integrand<Scalar<T>> {
 
  public:
   PaperIntegrand(const Model& model, const Lobe& lobe, const Direction& l, double tolerance, bool as_float)
-      : model_(model),
-        formula_(FormulaOf<T>::of(model)),
-        component_(lobe.component),
-        as_float_(as_float),
-        warp_(model, lobe, l, tolerance) {
+      : formula_(model, lobe.component, as_float), warp_(model, lobe, l, tolerance) {
     this->panels_ = warp_.panels();
     this->truncation_ = warp_.truncation();
   }
@@ -46,18 +42,9 @@ class PaperIntegrand final : public Integrand<Scalar<T>> {
   }
 
  private:
-  T value(const T& u, const T& v) const {
-    const Sample<T> sample = warp_.point(u, v);
-    if constexpr (std::is_same_v<T, Block>) {
-      if (as_float_) return evaluate_as_float(model_, component_, sample.pair) * sample.weight;
-    }
-    return formula_.evaluate(component_, sample.pair) * sample.weight;
-  }
+  [[nodiscard]] T value(const T& u, const T& v) const { return formula_(warp_.point(u, v)); }
 
-  const Model& model_;
-  const typename FormulaOf<T>::Type& formula_;
-  int component_;
-  bool as_float_;
+  LobeFormula<T> formula_;
   PaperWarp<T> warp_;
 };
 
