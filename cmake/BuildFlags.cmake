@@ -43,8 +43,9 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
               $<$<CXX_COMPILER_ID:GNU>:-Wlogical-op>
               $<$<BOOL:${ALBEDO_WERROR}>:-Werror>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC 12 falsely accuses its own headers: AVX-512 intrinsics as Eigen uses them, and string concatenation. clang still looks.
-    target_compile_options(albedo_warnings INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict)
+    # GCC 12 falsely accuses its own headers: AVX-512 intrinsics as Eigen uses them, and strings. clang still looks.
+    target_compile_options(albedo_warnings INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict
+                                                     -Wno-array-bounds -Wno-stringop-overflow)
   endif()
 endif()
 

@@ -2,6 +2,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "albedo/core/errors.hpp"
 #include "albedo/registry.hpp"
 #include "core/check.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "albedo/core/errors.hpp"
 #include "albedo/directional_albedo.hpp"
 #include "core/check.hpp"
 #include "numerics/larger.hpp"
