@@ -1,7 +1,7 @@
 #include "albedo/command_line.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <iostream>
@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "albedo/core/errors.hpp"
-#include "albedo/core/suggestion.hpp"
 #include "albedo/version.hpp"
 #include "analysis/commands/commands.hpp"
 #include "analysis/files/atomic_file.hpp"
@@ -24,53 +23,20 @@ namespace {
 
 using namespace analysis;
 
-/// Refuses what no option or subcommand has taken, with a suggestion.
-void check_understood(const CLI::App& app, const std::vector<std::string>& candidates, const std::string& kind) {
-  const std::vector<std::string> left = app.remaining();
-  if (left.empty()) return;
-  const std::string& word = left.front();
-  const std::string close = albedo::suggestion(word, candidates);
-  throw albedo::ParameterError("unknown " + kind + " '" + word + "'" +
-                               (close.empty() ? "" : "; did you mean '" + close + "'?"));
-}
-
-std::vector<std::string> option_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
-}
-
 int run(int argc, const char* const* argv) {
-  CLI::App program("The directional albedo of reflectance models, with errors that can be believed.",
-                   program_name(argc, argv));
-  program.set_version_flag("--version", "albedo " + std::string(albedo::version));
-  program.require_subcommand(0, 1);
-  program.allow_extras();
+  ProgramSyntax program("The directional albedo of reflectance models, with errors that can be believed.",
+                        program_name(argc, argv), "albedo " + std::string(albedo::version));
   program.footer("Every subcommand has its own --help.\nExample:\n  albedo at ward alpha=0.1 --theta 0,60,89.9");
-  std::vector<std::string> names;
-  const std::vector<Command> commands{add_models(program),   add_at(program),        add_curve(program),
-                                      add_table(program),    add_audit(program),     add_claims(program),
-                                      add_pump(program),     add_shader(program),    add_divergence(program),
-                                      add_tradeoff(program), add_stability(program), add_plan(program)};
-  for (const Command& command : commands) {
-    command.app->allow_extras();  // so that check_understood() words the error
-    names.push_back(command.app->get_name());
-  }
-
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::Success& help_or_version) {
-    return program.exit(help_or_version);
-  }
-  check_understood(program, names, "subcommand");
-  const auto chosen = std::ranges::find_if(commands, [](const Command& command) { return command.app->parsed(); });
+  const std::array commands{add_models(program),     add_at(program),       add_curve(program),     add_table(program),
+                            add_audit(program),      add_claims(program),   add_pump(program),      add_shader(program),
+                            add_divergence(program), add_tradeoff(program), add_stability(program), add_plan(program)};
+  if (program.parse(argc, argv)) return exit_code::done;
+  const auto chosen = std::ranges::find_if(commands, [](const Command& command) { return command.syntax.was_given(); });
   if (chosen == commands.end()) {
     std::cerr << program.help();
     return exit_code::usage;
   }
-  check_understood(*chosen->app, option_names(*chosen->app), "option");
+  chosen->syntax.check_understood();
   return chosen->run(quoted_command_line(argc, argv));
 }
 
@@ -102,8 +68,6 @@ int command_line(int argc, const char* const* argv) {
   } catch (const albedo::WriteError& error) {
     return complain(error.what(), exit_code::write_failed);
   } catch (const albedo::Error& error) {
-    return complain(error.what(), exit_code::usage);
-  } catch (const CLI::Error& error) {
     return complain(error.what(), exit_code::usage);
   } catch (const std::bad_alloc&) {
     return complain("not enough memory", exit_code::internal_error);

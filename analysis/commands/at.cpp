@@ -138,19 +138,19 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_at(CLI::App& program) {
+Command add_at(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app = program.add_subcommand("at", "the albedo for one or more directions");
-  add_model_arguments(*app, arguments->model);
-  app->add_option_function<std::string>(
+  const Syntax app = program.subcommand("at", "the albedo for one or more directions");
+  add_model_arguments(app, arguments->model);
+  app.parsed(
          "--theta", [arguments](const std::string& text) { arguments->thetas = parse_angles("--theta", text); },
          "polar angles of L in degrees")
-      ->type_name("DEG[,DEG]...")
-      ->required();
-  add_number(*app, "--phi", arguments->phi, "azimuth of L in degrees")->type_name("DEG");
-  add_compute_options(*app, arguments->options);
-  add_assert_option(*app, arguments->assertions);
-  app->footer(
+      .type_name("DEG[,DEG]...")
+      .required();
+  add_number(app, "--phi", arguments->phi, "azimuth of L in degrees").type_name("DEG");
+  add_compute_options(app, arguments->options);
+  add_assert_option(app, arguments->assertions);
+  app.footer(
       "An albedo that is infinite (at 90 degrees, for some models) is 'inf', in JSON null, with the status "
       "'divergent'.\n"
       "Where a part of the albedo is a delta in the mirror direction (he_torrance), 'coherent' tells how much.\n"

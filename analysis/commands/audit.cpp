@@ -145,21 +145,20 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_audit(CLI::App& program) {
+Command add_audit(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app = program.add_subcommand(
-      "audit", "what a model claims and whether it is so: energy, reciprocity, facets, samplers");
-  add_model_arguments(*app, arguments->model);
-  app->add_option("--materials", arguments->materials, "audit the materials of these files instead")
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  add_choices(*app, "--checks", all_checks, arguments->checks,
+  const Syntax app =
+      program.subcommand("audit", "what a model claims and whether it is so: energy, reciprocity, facets, samplers");
+  add_model_arguments(app, arguments->model);
+  app.texts("--materials", arguments->materials, "audit the materials of these files instead")
+      .type_name("FILE")
+      .one_at_a_time();
+  add_choices(app, "--checks", all_checks, arguments->checks,
               "beside the energy; default: all, for --materials reciprocity,average");
-  app->add_option("-o,--output", arguments->output, "a .csv or .json with every audit")->type_name("FILE");
-  app->add_flag("--markdown", arguments->markdown,
-                "print the table of models, or that of lists, for a text in Markdown");
-  add_compute_options(*app, arguments->options);
-  app->footer(
+  app.text("-o,--output", arguments->output, "a .csv or .json with every audit").type_name("FILE");
+  app.flag("--markdown", arguments->markdown, "print the table of models, or that of lists, for a text in Markdown");
+  add_compute_options(app, arguments->options);
+  app.footer(
       "Without MODEL all models are audited, with their default parameters.\n"
       "Verdicts: 'pass' and 'fails' where the model claims the property for these parameters ('albedo models' lists\n"
       "claims), 'not claimed' where it doesn't; the numbers are given all the same. 'undecided': some albedo missed\n"

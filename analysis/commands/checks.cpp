@@ -11,16 +11,15 @@
 
 namespace albedo::analysis {
 
-void add_assert_option(CLI::App& command, std::vector<Assertion>& assertions) {
+void add_assert_option(const Syntax& command, std::vector<Assertion>& assertions) {
   const auto parse = [&assertions](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) std::ranges::move(parse_assertions(text), std::back_inserter(assertions));
   };
   command
-      .add_option_function<std::vector<std::string>>(
-          "--assert", parse,
-          "conditions on max, min, mean, error, evaluations and at(THETA[,PHI]); exit code 1 if one fails")
-      ->type_name("EXPR")
-      ->allow_extra_args(false);
+      .parsed_each("--assert", parse,
+                   "conditions on max, min, mean, error, evaluations and at(THETA[,PHI]); exit code 1 if one fails")
+      .type_name("EXPR")
+      .one_at_a_time();
 }
 
 void check_answerable(const std::vector<Assertion>& assertions,

@@ -2,17 +2,17 @@
 /// What a computing subcommand ends with: its --assert conditions, and its exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
+#include "analysis/commands/syntax.hpp"
 #include "analysis/text/assertion.hpp"
 
 namespace albedo::analysis {
 
 /// Adds --assert, which may be given several times. While parsing, a malformed condition throws a ParameterError.
-void add_assert_option(CLI::App& command, std::vector<Assertion>& assertions);
+void add_assert_option(const Syntax& command, std::vector<Assertion>& assertions);
 
 /// Refuses, before anything is computed, an at(θ,φ) that the results can't answer.
 /// @throws ParameterError that ends with `reason`

@@ -43,15 +43,14 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_claims(CLI::App& program) {
+Command add_claims(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("claims", "what four papers claim of these models, and whether it holds");
-  add_choices(*app, "--paper", all_papers, arguments->papers, "only these; default: all");
-  add_integer(*app, "--threads", arguments->threads, 1, 1024, "default: one a core");
-  app->add_flag("--json", arguments->json, "print one JSON object, with all numbers and their errors");
-  app->add_flag("--markdown", arguments->markdown, "print a page in Markdown");
-  app->footer(
+  const Syntax app = program.subcommand("claims", "what four papers claim of these models, and whether it holds");
+  add_choices(app, "--paper", all_papers, arguments->papers, "only these; default: all");
+  add_integer(app, "--threads", arguments->threads, 1, 1024, "default: one a core");
+  app.flag("--json", arguments->json, "print one JSON object, with all numbers and their errors");
+  app.flag("--markdown", arguments->markdown, "print a page in Markdown");
+  app.footer(
       "Verdicts: 'holds', 'holds if' (the condition follows), 'fails' (the worst case and the smallest change that\n"
       "repairs it follow) and 'undecided', where some number missed its tolerance. All of them are computed from the\n"
       "models as they are; the exit code is 0 whatever they are.\n"

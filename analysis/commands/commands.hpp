@@ -2,9 +2,10 @@
 /// The subcommands of `albedo`: each takes its place on the command line, and runs once that is parsed.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+
+#include "analysis/commands/syntax.hpp"
 
 namespace albedo::analysis {
 
@@ -19,21 +20,21 @@ inline constexpr int internal_error = 70;
 }  // namespace exit_code
 
 struct Command {
-  CLI::App* app;
+  Syntax syntax;
   std::function<int(const std::string& command_line)> run;  ///< returns an exit code, or throws an albedo::Error
 };
 
-Command add_models(CLI::App& program);
-Command add_at(CLI::App& program);
-Command add_curve(CLI::App& program);
-Command add_table(CLI::App& program);
-Command add_audit(CLI::App& program);
-Command add_claims(CLI::App& program);
-Command add_pump(CLI::App& program);
-Command add_shader(CLI::App& program);
-Command add_divergence(CLI::App& program);
-Command add_tradeoff(CLI::App& program);
-Command add_stability(CLI::App& program);
-Command add_plan(CLI::App& program);
+Command add_models(ProgramSyntax& program);
+Command add_at(ProgramSyntax& program);
+Command add_curve(ProgramSyntax& program);
+Command add_table(ProgramSyntax& program);
+Command add_audit(ProgramSyntax& program);
+Command add_claims(ProgramSyntax& program);
+Command add_pump(ProgramSyntax& program);
+Command add_shader(ProgramSyntax& program);
+Command add_divergence(ProgramSyntax& program);
+Command add_tradeoff(ProgramSyntax& program);
+Command add_stability(ProgramSyntax& program);
+Command add_plan(ProgramSyntax& program);
 
 }  // namespace albedo::analysis

@@ -221,19 +221,19 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_curve(CLI::App& program) {
+Command add_curve(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("curve", "the albedo from normal to grazing incidence, with as many nodes as needed");
-  add_model_arguments(*app, arguments->model);
-  add_number(*app, "--phi", arguments->phi, "azimuth of L in degrees")->type_name("DEG");
-  app->add_option(
+  const Syntax app =
+      program.subcommand("curve", "the albedo from normal to grazing incidence, with as many nodes as needed");
+  add_model_arguments(app, arguments->model);
+  add_number(app, "--phi", arguments->phi, "azimuth of L in degrees").type_name("DEG");
+  app.text(
          "-o,--output", arguments->output,
          "a .csv, .json, .npy, .exr or .hpp; default: CSV on standard output; of a rational form .hpp, .glsl or .json")
-      ->type_name("FILE");
-  add_choice(*app, "--form", all_output_forms, arguments->form,
+      .type_name("FILE");
+  add_choice(app, "--form", all_output_forms, arguments->form,
              "the nodes of a curve, or one rational function of cos_theta, to compile");
-  app->add_option_function<std::string>(
+  app.parsed(
          "--coefficients",
          [arguments](const std::string& text) {
            const double value = parse_number("--coefficients", text);
@@ -243,10 +243,10 @@ Command add_curve(CLI::App& program) {
            arguments->coefficients = static_cast<std::size_t>(value);
          },
          "the most of a rational form; default 16")
-      ->type_name("N");
-  add_compute_options(*app, arguments->options);
-  add_assert_option(*app, arguments->assertions);
-  app->footer(
+      .type_name("N");
+  add_compute_options(app, arguments->options);
+  add_assert_option(app, arguments->assertions);
+  app.footer(
       "--assert: max and min are those of the nodes and of the limit at 90 degrees, mean is the albedo under light "
       "from\n"
       "everywhere, error is the relative bound of the curve, evaluations are those of the whole curve.\n"

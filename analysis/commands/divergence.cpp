@@ -112,17 +112,16 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_divergence(CLI::App& program) {
+Command add_divergence(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("divergence", "what the albedo does towards grazing incidence: a(L) ~ C (N.L)^-p");
-  app->add_option("MODEL", arguments->words, "models, each with its parameters as NAME=VALUE; default: all")
-      ->type_name("");
-  add_number(*app, "--phi", arguments->options.phi_degrees, "azimuth of L in degrees")->type_name("DEG");
-  add_real(*app, "--tolerance", arguments->options.tolerance, 1e-30, 0.5, "relative, of the albedos")->type_name("REL");
-  add_integer(*app, "--threads", arguments->threads, 1, 1024, "default: one a core");
-  app->add_flag("--json", arguments->json, "print one JSON object");
-  app->footer(
+  const Syntax app =
+      program.subcommand("divergence", "what the albedo does towards grazing incidence: a(L) ~ C (N.L)^-p");
+  app.texts("MODEL", arguments->words, "models, each with its parameters as NAME=VALUE; default: all").type_name("");
+  add_number(app, "--phi", arguments->options.phi_degrees, "azimuth of L in degrees").type_name("DEG");
+  add_real(app, "--tolerance", arguments->options.tolerance, 1e-30, 0.5, "relative, of the albedos").type_name("REL");
+  add_integer(app, "--threads", arguments->threads, 1, 1024, "default: one a core");
+  app.flag("--json", arguments->json, "print one JSON object");
+  app.footer(
       "p and C come from the limit of the formula and its integral and, independently, from a straight\n"
       "line through ln a against ln N.L at 89 ... 90-1e-8 degrees, integrated by another rule. '-': there is no such\n"
       "law. The critical angle is where the albedo first passes 1.\n"

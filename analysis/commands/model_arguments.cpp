@@ -171,38 +171,38 @@ void check_one_channel(const std::vector<Assertion>& assertions, const std::vect
 
 std::string name_of(PumpControl control) { return std::string(to_string(control)); }
 
-std::vector<CLI::Option*> add_pump_kind(CLI::App& command, PumpOptions& options) {
+std::vector<OptionSyntax> add_pump_kind(const Syntax& command, PumpOptions& options) {
   add_choice(
       command, "--control", all_controls, options.control,
       "what keeps the output radiance of a pumped model from exceeding its input (Neumann 1999, eq. 21): a floor "
       "of the divisor at every step, or of the product of all divisors");
-  return {command.get_option("--control"),
-          command.add_flag("--only-up", options.only_up, "an albedo above 1 stays as it is: g <= 1 (eq. 17)")};
+  return {command.option("--control"),
+          command.flag("--only-up", options.only_up, "an albedo above 1 stays as it is: g <= 1 (eq. 17)")};
 }
 
-void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_correct) {
-  CLI::Option* const model =
-      command.add_option("MODEL", arguments.model, "the reflectance model's name, sum or coupled")->type_name("");
+void add_model_arguments(const Syntax& command, ModelArguments& arguments, bool can_correct) {
+  const OptionSyntax model =
+      command.text("MODEL", arguments.model, "the reflectance model's name, sum or coupled").type_name("");
   command
-      .add_option("PARAMETERS", arguments.parameters,
-                  "its parameters, each as NAME=VALUE; the parts of a sum, each as MODEL:NAME=VALUE,...")
-      ->type_name("");
+      .texts("PARAMETERS", arguments.parameters,
+             "its parameters, each as NAME=VALUE; the parts of a sum, each as MODEL:NAME=VALUE,...")
+      .type_name("");
   if (can_correct) add_corrections(command, arguments.corrections, model);
 }
 
-void add_corrections(CLI::App& command, Corrections& corrections, CLI::Option* needed) {
-  std::vector<CLI::Option*> options = add_pump_kind(command, corrections.pump);
-  CLI::Option* const pump = add_integer(command, "--pump", corrections.pump.times, 0, PumpOptions::most_times,
+void add_corrections(const Syntax& command, Corrections& corrections, std::optional<OptionSyntax> needed) {
+  std::vector<OptionSyntax> options = add_pump_kind(command, corrections.pump);
+  const OptionSyntax pump = add_integer(command, "--pump", corrections.pump.times, 0, PumpOptions::most_times,
                                         "the model with its albedo pumped up so many times (Neumann 1999)");
-  for (CLI::Option* const option : options) option->needs(pump);
+  for (const OptionSyntax option : options) option.needs(pump);
   add_choice(command, "--correct", all_corrections, corrections.correct,
              "what is done to its energy then: balanced to rho everywhere; Kulla and Conty's complement added, or "
              "scaled after Turquin, which bring back rho of the light that is lost");
-  CLI::Option* const correct = command.get_option("--correct");
-  CLI::Option* const rho = add_real(command, "--rho", corrections.rho, 0, 1, "of --correct");
-  rho->needs(correct);
-  if (needed == nullptr) return;
-  for (CLI::Option* const option : {pump, correct}) option->needs(needed);
+  const OptionSyntax correct = command.option("--correct");
+  const OptionSyntax rho = add_real(command, "--rho", corrections.rho, 0, 1, "of --correct");
+  rho.needs(correct);
+  if (!needed) return;
+  for (const OptionSyntax option : {pump, correct}) option.needs(*needed);
 }
 
 std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment) {

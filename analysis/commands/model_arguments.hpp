@@ -4,15 +4,16 @@
 /// --correct balance|multiscatter|turquin --rho VALUE.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "albedo/core/model.hpp"
 #include "albedo/corrections.hpp"
+#include "analysis/commands/syntax.hpp"
 #include "analysis/text/assertion.hpp"
 #include "analysis/text/value.hpp"
 
@@ -48,17 +49,17 @@ std::vector<ModelArguments> split_models(const std::vector<std::string>& words);
 void check_one_channel(const std::vector<Assertion>& assertions, const std::vector<std::string>& channels);
 
 /// Adds MODEL and PARAMETERS and, unless the command has corrections of its own, those that make() applies.
-void add_model_arguments(CLI::App& command, ModelArguments& arguments, bool can_correct = true);
+void add_model_arguments(const Syntax& command, ModelArguments& arguments, bool can_correct = true);
 
 /// As on the command line.
 std::string name_of(PumpControl control);
 inline constexpr std::array all_controls{PumpControl::none, PumpControl::step, PumpControl::total};
 
 /// Adds --pump, --control, --only-up, --correct and --rho, which ask for what `needed` is, if anything.
-void add_corrections(CLI::App& command, Corrections& corrections, CLI::Option* needed);
+void add_corrections(const Syntax& command, Corrections& corrections, std::optional<OptionSyntax> needed);
 
 /// Adds --control and --only-up, which say how a model is pumped.
-std::vector<CLI::Option*> add_pump_kind(CLI::App& command, PumpOptions& options);
+std::vector<OptionSyntax> add_pump_kind(const Syntax& command, PumpOptions& options);
 
 /// The value of a model's parameter: a number taken strictly, or the name of a choice. Whether the model has such a
 /// parameter, and its range, is make_model's to say.

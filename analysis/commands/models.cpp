@@ -138,14 +138,14 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_models(CLI::App& program) {
+Command add_models(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("models", "the models: source, parameters, claims (for the default parameters)");
-  app->add_option("NAME", arguments->name, "only this model")->type_name("");
-  CLI::Option* const json = app->add_flag("--json", arguments->json, "print JSON");
-  app->add_flag("--markdown", arguments->markdown, "print a table for a text in Markdown")->excludes(json);
-  app->footer("Example: what are Ward's parameters?\n  albedo models ward");
+  const Syntax app =
+      program.subcommand("models", "the models: source, parameters, claims (for the default parameters)");
+  app.text("NAME", arguments->name, "only this model").type_name("");
+  const OptionSyntax json = app.flag("--json", arguments->json, "print JSON");
+  app.flag("--markdown", arguments->markdown, "print a table for a text in Markdown").excludes(json);
+  app.footer("Example: what are Ward's parameters?\n  albedo models ward");
   return {app, [arguments](const std::string&) { return run(*arguments); }};
 }
 

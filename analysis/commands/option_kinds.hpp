@@ -3,7 +3,6 @@
 /// malformed or out of range throws a ParameterError while parsing; targets must outlive the parsing.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,6 +13,7 @@
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/suggestion.hpp"
+#include "analysis/commands/syntax.hpp"
 #include "analysis/studies/methods.hpp"
 #include "analysis/text/text.hpp"
 
@@ -40,17 +40,17 @@ E value_of(const std::array<E, N>& all, const std::string& option, const std::st
 
 /// An option that takes one of several names.
 template <class E, std::size_t N>
-void add_choice(CLI::App& command, const std::string& option, const std::array<E, N>& all, E& target,
+void add_choice(const Syntax& command, const std::string& option, const std::array<E, N>& all, E& target,
                 const std::string& description) {
   const auto set = [all, &target, option](const std::string& text) { target = value_of(all, option, text); };
-  command.add_option_function<std::string>(option, set, description)
-      ->type_name(joined(names_of(all), "|"))
-      ->default_str(std::string(name_of(target)));
+  command.parsed(option, set, description)
+      .type_name(joined(names_of(all), "|"))
+      .default_text(std::string(name_of(target)));
 }
 
 /// An option that takes some of several names, with commas between them; given again, it adds to them.
 template <class E, std::size_t N>
-void add_choices(CLI::App& command, const std::string& option, const std::array<E, N>& all, std::vector<E>& target,
+void add_choices(const Syntax& command, const std::string& option, const std::array<E, N>& all, std::vector<E>& target,
                  const std::string& description) {
   const auto set = [all, &target, option](const std::vector<std::string>& lists) {
     for (const std::string& list : lists) {
@@ -61,9 +61,7 @@ void add_choices(CLI::App& command, const std::string& option, const std::array<
       }
     }
   };
-  command.add_option_function<std::vector<std::string>>(option, set, description)
-      ->type_name(joined(names_of(all), "|") + "[,...]")
-      ->allow_extra_args(false);
+  command.parsed_each(option, set, description).type_name(joined(names_of(all), "|") + "[,...]").one_at_a_time();
 }
 
 /// A whole number within [least, most].
@@ -78,16 +76,16 @@ Integer parse_integer(const std::string& option, const std::string& text, Intege
 
 /// An option that takes a whole number within [least, most].
 template <class Integer>
-CLI::Option* add_integer(CLI::App& command, const std::string& option, Integer& target, Integer least, Integer most,
+OptionSyntax add_integer(const Syntax& command, const std::string& option, Integer& target, Integer least, Integer most,
                          const std::string& description) {
   const auto set = [&target, option, least, most](const std::string& text) {
     target = parse_integer(option, text, least, most);
   };
-  return command.add_option_function<std::string>(option, set, description)->type_name("N");
+  return command.parsed(option, set, description).type_name("N");
 }
 
 /// An option that takes a number within [least, most]; its target's value is the default.
-CLI::Option* add_real(CLI::App& command, const std::string& option, double& target, double least, double most,
+OptionSyntax add_real(const Syntax& command, const std::string& option, double& target, double least, double most,
                       const std::string& description);
 
 }  // namespace albedo::analysis

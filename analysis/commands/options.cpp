@@ -10,28 +10,28 @@
 namespace albedo::analysis {
 namespace {
 
-void add_tolerance(CLI::App& command, std::optional<double>& target, const std::string& description) {
+void add_tolerance(const Syntax& command, std::optional<double>& target, const std::string& description) {
   const auto set = [&target](const std::string& text) {
     const double value = parse_number("--tolerance", text);
     if (!(value >= 1e-30 && value < 1))
       throw ParameterError("--tolerance is " + text + " and must be within [1e-30, 1)");
     target = value;
   };
-  command.add_option_function<std::string>("--tolerance", set, description)->type_name("REL");
+  command.parsed("--tolerance", set, description).type_name("REL");
 }
 
 /// --budget, --precision, --seed, --threads and --json
 template <class Options>
-void add_common(CLI::App& command, Options& options) {
+void add_common(const Syntax& command, Options& options) {
   add_integer<std::int64_t>(command, "--budget", options.budget, 1, std::numeric_limits<std::int64_t>::max(),
                             "most evaluations for one direction")
-      ->default_str(std::to_string(options.budget));
+      .default_text(std::to_string(options.budget));
   add_choice(command, "--precision", all_precisions, options.precision, "the arithmetic of the model's formula");
   add_integer<std::uint64_t>(command, "--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max(),
                              "of the Monte Carlo rules")
-      ->default_str(std::to_string(options.seed));
+      .default_text(std::to_string(options.seed));
   add_integer(command, "--threads", options.threads, 1, 1024, "default: one a core");
-  command.add_flag("--json", options.json, "print one JSON object");
+  command.flag("--json", options.json, "print one JSON object");
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void ComputeOptions::describe(nlohmann::ordered_json& object) const {
   if (is_monte_carlo(rule)) object["seed"] = seed;
 }
 
-void add_compute_options(CLI::App& command, ComputeOptions& options) {
+void add_compute_options(const Syntax& command, ComputeOptions& options) {
   add_choice(command, "--rule", all_rules, options.rule, "where the points are");
   add_choice(command, "--warp", all_warps, options.warp,
              "the map they are taken through: the lobe's exact domain, all of V, or the sampling of the model's paper");
@@ -62,18 +62,18 @@ void add_compute_options(CLI::App& command, ComputeOptions& options) {
   add_common(command, options);
 }
 
-void add_method_options(CLI::App& command, MethodOptions& options) {
+void add_method_options(const Syntax& command, MethodOptions& options) {
   add_choices(command, "--rule", all_rules, options.rules, "only these; default: all");
   add_choices(command, "--warp", all_warps, options.warps, "only these; default: all");
   add_tolerance(command, options.tolerance, "the last of a ladder; default 1e-12, or 1e-4 for the Monte Carlo rules");
   add_common(command, options);
 }
 
-void add_repeat(CLI::App& command, int& repeats) {
+void add_repeat(const Syntax& command, int& repeats) {
   add_integer(command, "--repeat", repeats, 1, 1000, "timings of every run, whose median counts; default 5");
 }
 
-CLI::Option* add_real(CLI::App& command, const std::string& option, double& target, double least, double most,
+OptionSyntax add_real(const Syntax& command, const std::string& option, double& target, double least, double most,
                       const std::string& description) {
   const auto set = [&target, option, least, most](const std::string& text) {
     const double value = parse_number(option, text);
@@ -83,14 +83,12 @@ CLI::Option* add_real(CLI::App& command, const std::string& option, double& targ
     }
     target = value;
   };
-  return command.add_option_function<std::string>(option, set, description)
-      ->type_name("X")
-      ->default_str(number_text(target, 6));
+  return command.parsed(option, set, description).type_name("X").default_text(number_text(target, 6));
 }
 
-CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const std::string& description) {
+OptionSyntax add_number(const Syntax& command, const std::string& name, double& value, const std::string& description) {
   const auto set = [&value, name](const std::string& text) { value = parse_number(name, text); };
-  return command.add_option_function<std::string>(name, set, description)->default_str(number_text(value, 6));
+  return command.parsed(name, set, description).default_text(number_text(value, 6));
 }
 
 }  // namespace albedo::analysis

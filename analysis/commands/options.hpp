@@ -2,13 +2,13 @@
 /// The options that every computing subcommand takes.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "albedo/directional_albedo.hpp"
+#include "analysis/commands/syntax.hpp"
 
 namespace albedo::analysis {
 
@@ -30,7 +30,7 @@ struct ComputeOptions {
 
 /// Adds --rule, --warp, --tolerance, --budget, --precision, --seed, --threads and --json; `options` must outlive the
 /// parsing. While parsing, a value that is malformed or out of range throws a ParameterError.
-void add_compute_options(CLI::App& command, ComputeOptions& options);
+void add_compute_options(const Syntax& command, ComputeOptions& options);
 
 /// The same for what compares several rules and warps.
 struct MethodOptions {
@@ -45,12 +45,12 @@ struct MethodOptions {
 };
 
 /// Adds --rule, --warp (lists), --tolerance, --budget, --precision, --seed, --threads and --json.
-void add_method_options(CLI::App& command, MethodOptions& options);
+void add_method_options(const Syntax& command, MethodOptions& options);
 
 /// Adds --repeat.
-void add_repeat(CLI::App& command, int& repeats);
+void add_repeat(const Syntax& command, int& repeats);
 
 /// Adds an option whose value is one finite number.
-CLI::Option* add_number(CLI::App& command, const std::string& name, double& value, const std::string& description);
+OptionSyntax add_number(const Syntax& command, const std::string& name, double& value, const std::string& description);
 
 }  // namespace albedo::analysis

@@ -71,29 +71,29 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_plan(CLI::App& program) {
+Command add_plan(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app = program.add_subcommand("plan", "the energy tables that a scene needs, and no more");
-  app->add_option("SCENE", arguments->scene, "a Mitsuba .xml, pbrt-v4 .pbrt, Radiance .rad or .mat, or materials .json")
-      ->type_name("FILE");
-  app->add_option_function<std::string>(
+  const Syntax app = program.subcommand("plan", "the energy tables that a scene needs, and no more");
+  app.text("SCENE", arguments->scene, "a Mitsuba .xml, pbrt-v4 .pbrt, Radiance .rad or .mat, or materials .json")
+      .type_name("FILE");
+  app.parsed(
          "--error", [arguments](const std::string& text) { arguments->options.tolerance = parse_error(text); },
          "of a radiance, where white is 1: a number or a fraction")
-      ->type_name("E")
-      ->default_str("1/255");
-  app->add_option_function<std::string>(
+      .type_name("E")
+      .default_text("1/255");
+  app.parsed(
          "--angles", [arguments](const std::string& text) { parse_angles_of(text, arguments->options); },
          "from the normal, in degrees")
-      ->type_name("FROM:TO")
-      ->default_str("0:85");
-  app->add_option("-o,--output", arguments->directory,
-                  "write plan.html, plan.json and every table as .exr, .npy and .hpp there")
-      ->type_name("DIR");
-  add_integer(*app, "--pumpings", arguments->options.most_pumpings, 0, 64,
+      .type_name("FROM:TO")
+      .default_text("0:85");
+  app.text("-o,--output", arguments->directory,
+           "write plan.html, plan.json and every table as .exr, .npy and .hpp there")
+      .type_name("DIR");
+  add_integer(app, "--pumpings", arguments->options.most_pumpings, 0, 64,
               "how far to look for an order of pumping that does as well; default: 8");
-  add_integer(*app, "--threads", arguments->options.threads, 1, 1024, "default: one a core");
-  app->add_flag("--json", arguments->json, "print one JSON object");
-  app->footer(
+  add_integer(app, "--threads", arguments->options.threads, 1, 1024, "default: one a core");
+  app.flag("--json", arguments->json, "print one JSON object");
+  app.footer(
       "For each material: what its model claims, the largest albedo over the angles, what its lobe would lose and "
       "make\n"
       "if it were white, the error without a correction in a white furnace and under a point light, and the least "

@@ -144,19 +144,19 @@ int run(const Arguments& arguments) {
 
 }  // namespace
 
-Command add_pump(CLI::App& program) {
+Command add_pump(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("pump", "the albedo pumped up again and again: what it gains, and what it costs");
-  add_model_arguments(*app, arguments->model, false);
-  add_integer(*app, "--times", arguments->options.times, 0, PumpOptions::most_times, "how often; default 10");
-  add_pump_kind(*app, arguments->options);
-  add_real(*app, "--tolerance", arguments->options.tolerance, 1e-12, 0.1, "relative, of the albedos");
-  add_choices(*app, "--correct", all_corrections, arguments->corrections,
+  const Syntax app =
+      program.subcommand("pump", "the albedo pumped up again and again: what it gains, and what it costs");
+  add_model_arguments(app, arguments->model, false);
+  add_integer(app, "--times", arguments->options.times, 0, PumpOptions::most_times, "how often; default 10");
+  add_pump_kind(app, arguments->options);
+  add_real(app, "--tolerance", arguments->options.tolerance, 1e-12, 0.1, "relative, of the albedos");
+  add_choices(app, "--correct", all_corrections, arguments->corrections,
               "other corrections of the model itself, for comparison, a row each");
-  add_real(*app, "--rho", arguments->rho, 0, 1, "albedo that balance reaches; share of the lost light for the others");
-  app->add_flag("--json", arguments->json, "print one JSON object");
-  app->footer(
+  add_real(app, "--rho", arguments->rho, 0, 1, "albedo that balance reaches; share of the lost light for the others");
+  app.flag("--json", arguments->json, "print one JSON object");
+  app.footer(
       "largest, smallest: albedo over all angles of L, the limit at 90 degrees included; average: under light from\n"
       "everywhere; distance: largest |albedo - 1|; bound: relative error of these albedos, by which the tables that\n"
       "pumping divides by are raised; radiance: largest output over input radiance, f N.L, in the plane of incidence\n"

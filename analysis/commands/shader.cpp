@@ -124,20 +124,20 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_shader(CLI::App& program) {
+Command add_shader(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("shader", "what a shader needs to evaluate a pumped or corrected model, as tables");
-  add_model_arguments(*app, arguments->model);
-  app->get_option("PARAMETERS")->description("NAME=VALUE fixes, NAME=FROM:TO:COUNT[:log] or NAME=A,B,... varies");
-  add_integer(*app, "--resolution", arguments->resolution, std::size_t{2}, std::size_t{1048576},
+  const Syntax app =
+      program.subcommand("shader", "what a shader needs to evaluate a pumped or corrected model, as tables");
+  add_model_arguments(app, arguments->model);
+  app.option("PARAMETERS").description("NAME=VALUE fixes, NAME=FROM:TO:COUNT[:log] or NAME=A,B,... varies");
+  add_integer(app, "--resolution", arguments->resolution, std::size_t{2}, std::size_t{1048576},
               "nodes over cos_theta; default: the least power of two that --error needs");
-  add_real(*app, "--error", arguments->error, 1e-9, 1, "of linear interpolation, relative to the largest value");
-  app->add_option("-o,--output", arguments->output, "a .csv, .json, .npy, .exr or .hpp; - is CSV on standard output")
-      ->type_name("FILE")
-      ->required();
-  app->add_flag("--json", arguments->json, "print one JSON object");
-  app->footer(
+  add_real(app, "--error", arguments->error, 1e-9, 1, "of linear interpolation, relative to the largest value");
+  app.text("-o,--output", arguments->output, "a .csv, .json, .npy, .exr or .hpp; - is CSV on standard output")
+      .type_name("FILE")
+      .required();
+  app.flag("--json", arguments->json, "print one JSON object");
+  app.footer(
       "A function of one cosine for each step: 1/a_0, 1/a_1, ... of pumping, 1/s of balance, m of multiscatter, 1/a "
       "of\n"
       "turquin. The nodes are cos_theta = (i/(N-1))^2, to interpolate linearly in sqrt(cos_theta); doc/corrections.md "

@@ -83,46 +83,45 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_stability(CLI::App& program) {
+Command add_stability(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
   AtlasOptions& atlas = arguments->atlas;
-  CLI::App* const app =
-      program.add_subcommand("stability", "where each method fails, and whether its errors can be believed");
-  app->add_option(
+  const Syntax app = program.subcommand("stability", "where each method fails, and whether its errors can be believed");
+  app.texts(
          "MODEL", arguments->models,
          "models with a roughness or an exponent; default: " + joined(atlas.models, " ") + " (--honesty: all models)")
-      ->type_name("");
-  app->add_option("-o,--output", arguments->output, "every answer, as .csv or .json")->type_name("FILE");
-  add_choices(*app, "--rule", all_rules, atlas.rules, "only these; default: all");
-  add_choices(*app, "--warp", all_warps, atlas.warps, "only these; default: all");
-  add_choices(*app, "--precision", all_forms, atlas.forms,
+      .type_name("");
+  app.text("-o,--output", arguments->output, "every answer, as .csv or .json").type_name("FILE");
+  add_choices(app, "--rule", all_rules, atlas.rules, "only these; default: all");
+  add_choices(app, "--warp", all_warps, atlas.warps, "only these; default: all");
+  add_choices(app, "--precision", all_forms, atlas.forms,
               "of the formula: double; float from invariants; float from directions, as in a textbook");
-  app->add_option_function<std::string>(
+  app.parsed(
          "--grid", [&atlas](const std::string& text) { parse_grid(text, atlas); },
          "directions x roughnesses (or exponents) of a map")
-      ->type_name("NxM")
-      ->default_str(std::to_string(atlas.incidences) + "x" + std::to_string(atlas.widths));
-  add_real(*app, "--anisotropy", atlas.anisotropy, 1, 1e6,
+      .type_name("NxM")
+      .default_text(std::to_string(atlas.incidences) + "x" + std::to_string(atlas.widths));
+  add_real(app, "--anisotropy", atlas.anisotropy, 1, 1e6,
            "ratio of the roughnesses or exponents in a second map of a model; 1: no such map");
-  add_real(*app, "--tolerance", atlas.tolerance, 1e-10, 0.1, "relative; asked of the deterministic rules");
-  add_real(*app, "--random-tolerance", atlas.random_tolerance, 1e-10, 0.1, "the same for the Monte Carlo rules");
-  add_integer<std::int64_t>(*app, "--budget", atlas.budget, 1, largest_count, "most evaluations for one answer")
-      ->default_str(std::to_string(atlas.budget));
-  add_integer<std::uint64_t>(*app, "--seed", atlas.seed, 0, std::numeric_limits<std::uint64_t>::max(),
+  add_real(app, "--tolerance", atlas.tolerance, 1e-10, 0.1, "relative; asked of the deterministic rules");
+  add_real(app, "--random-tolerance", atlas.random_tolerance, 1e-10, 0.1, "the same for the Monte Carlo rules");
+  add_integer<std::int64_t>(app, "--budget", atlas.budget, 1, largest_count, "most evaluations for one answer")
+      .default_text(std::to_string(atlas.budget));
+  add_integer<std::uint64_t>(app, "--seed", atlas.seed, 0, std::numeric_limits<std::uint64_t>::max(),
                              "of the Monte Carlo rules, and of --honesty's cases")
-      ->default_str(std::to_string(atlas.seed));
-  add_integer(*app, "--threads", atlas.threads, 1, 1024, "default: one a core");
-  CLI::Option* const honesty =
-      app->add_flag("--honesty", arguments->is_honesty,
-                    "instead: reported against true errors over random models, parameters and directions");
-  add_integer<std::uint64_t>(*app, "--cases", arguments->honesty.cases, 1, largest_count, "of --honesty")
-      ->default_str(std::to_string(arguments->honesty.cases))
-      ->needs(honesty);
+      .default_text(std::to_string(atlas.seed));
+  add_integer(app, "--threads", atlas.threads, 1, 1024, "default: one a core");
+  const OptionSyntax honesty =
+      app.flag("--honesty", arguments->is_honesty,
+               "instead: reported against true errors over random models, parameters and directions");
+  add_integer<std::uint64_t>(app, "--cases", arguments->honesty.cases, 1, largest_count, "of --honesty")
+      .default_text(std::to_string(arguments->honesty.cases))
+      .needs(honesty);
   for (const char* const of_atlas : {"--precision", "--grid", "--anisotropy", "--tolerance", "--random-tolerance"}) {
-    app->get_option(of_atlas)->excludes(honesty);
+    app.option(of_atlas).excludes(honesty);
   }
-  app->add_flag("--json", arguments->json, "print the summary as one JSON object");
-  app->footer(
+  app.flag("--json", arguments->json, "print the summary as one JSON object");
+  app.footer(
       "The atlas asks every method at incidences from 0 to 90 - 1e-10 degrees and roughnesses from 1e-5 to 5 "
       "(exponents\n"
       "from 0 to 1e7), and tells what came back: within the tolerance or not (a Monte Carlo rule may be off by " +

@@ -181,42 +181,41 @@ int run(const TableArguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_table(CLI::App& program) {
+Command add_table(ProgramSyntax& program) {
   const auto arguments = std::make_shared<TableArguments>();
-  CLI::App* const app =
-      program.add_subcommand("table", "an N-dimensional table over parameters and directions, or of materials");
-  add_model_arguments(*app, arguments->model, false);
-  add_corrections(*app, arguments->model.corrections, nullptr);
-  app->get_option("PARAMETERS")
-      ->description(
+  const Syntax app =
+      program.subcommand("table", "an N-dimensional table over parameters and directions, or of materials");
+  add_model_arguments(app, arguments->model, false);
+  add_corrections(app, arguments->model.corrections, std::nullopt);
+  app.option("PARAMETERS")
+      .description(
           "NAME=VALUE fixes, NAME=FROM:TO:COUNT[:log] or NAME=A,B,... varies; also cos_theta, theta, phi (degrees)");
-  app->add_option("-o,--output", arguments->output, "a .csv, .json, .npy, .exr or .hpp; - is CSV on standard output")
-      ->type_name("FILE")
-      ->required();
-  app->add_option("--materials", arguments->materials, R"(instead of MODEL: JSON of {"name", "model", "parameters"})")
-      ->type_name("FILE");
+  app.text("-o,--output", arguments->output, "a .csv, .json, .npy, .exr or .hpp; - is CSV on standard output")
+      .type_name("FILE")
+      .required();
+  app.text("--materials", arguments->materials, R"(instead of MODEL: JSON of {"name", "model", "parameters"})")
+      .type_name("FILE");
   add_choice(
-      *app, "--fill", all_fills, arguments->fill,
+      app, "--fill", all_fills, arguments->fill,
       "an integration for every entry, or Chebyshev series made from few, whose cost doesn't grow with the table");
-  add_integer(*app, "--verify", arguments->verified, 1, 10'000'000,
+  add_integer(app, "--verify", arguments->verified, 1, 10'000'000,
               "random places at which --fill proxy is compared with integrations");
-  add_real(*app, "--max-error", arguments->growth.max_error, 1e-7, 1,
+  add_real(app, "--max-error", arguments->growth.max_error, 1e-7, 1,
            "halve gaps until linear interpolation between the entries is within this, at verified places");
-  app->add_option_function<std::string>(
+  app.parsed(
          "--bits", [arguments](const std::string& text) { arguments->growth.bits = parse_bits(text); },
          "of an entry, whose value is then one that they hold")
-      ->type_name("8|10|16|32");
-  app->add_flag("--errors", arguments->errors, "keep the error of every entry too");
-  app->add_flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
-  app->add_flag("--resume", arguments->resume, "continue an unfinished .npy of the same command, if there is one");
-  add_integer(*app, "--tile", arguments->tile, 1, 1 << 24,
+      .type_name("8|10|16|32");
+  app.flag("--errors", arguments->errors, "keep the error of every entry too");
+  app.flag("--summary", arguments->summary, "print one line of JSON on standard error at the end");
+  app.flag("--resume", arguments->resume, "continue an unfinished .npy of the same command, if there is one");
+  add_integer(app, "--tile", arguments->tile, 1, 1 << 24,
               "entries of a .npy that are computed, written and recorded at once");
-  app->add_option("--log", arguments->log,
-                  "append a line every 30 s to it while a .npy is filled: done, rate, time left")
-      ->type_name("FILE");
-  add_compute_options(*app, arguments->options);
-  add_assert_option(*app, arguments->assertions);
-  app->footer(
+  app.text("--log", arguments->log, "append a line every 30 s to it while a .npy is filled: done, rate, time left")
+      .type_name("FILE");
+  add_compute_options(app, arguments->options);
+  add_assert_option(app, arguments->assertions);
+  app.footer(
       "Axes are in the order given, the last one runs fastest. Without cos_theta or theta the last axis is cos_theta "
       "at the 32\n"
       "centres (i + 1/2)/32; for materials it is theta at 0,15,30,45,60,75,80,85,88,89 degrees. --json prints the "

@@ -141,25 +141,25 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
 }  // namespace
 
-Command add_tradeoff(CLI::App& program) {
+Command add_tradeoff(ProgramSyntax& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* const app =
-      program.add_subcommand("tradeoff", "speed against accuracy: every rule on every warp, and its true error");
-  app->add_option("MODEL", arguments->words,
-                  "models, each with its parameters as NAME=VALUE; without parameters a smooth and a rough one; "
-                  "default: " +
-                      joined(tradeoff_models(), ", "))
-      ->type_name("");
-  app->add_option_function<std::string>(
+  const Syntax app =
+      program.subcommand("tradeoff", "speed against accuracy: every rule on every warp, and its true error");
+  app.texts("MODEL", arguments->words,
+            "models, each with its parameters as NAME=VALUE; without parameters a smooth and a rough one; "
+            "default: " +
+                joined(tradeoff_models(), ", "))
+      .type_name("");
+  app.parsed(
          "--theta", [arguments](const std::string& text) { arguments->thetas = parse_angles("--theta", text); },
          "polar angles of L in degrees; default: 0,60,85,89.9")
-      ->type_name("DEG[,DEG]...");
-  add_number(*app, "--phi", arguments->phi, "azimuth of L in degrees")->type_name("DEG");
-  add_repeat(*app, arguments->repeats);
-  app->add_flag("--quick", arguments->quick, "shorter ladders, budgets and timings");
-  app->add_option("-o,--output", arguments->output, "a .csv or .json with every run")->type_name("FILE");
-  add_method_options(*app, arguments->options);
-  app->footer(
+      .type_name("DEG[,DEG]...");
+  add_number(app, "--phi", arguments->phi, "azimuth of L in degrees").type_name("DEG");
+  add_repeat(app, arguments->repeats);
+  app.flag("--quick", arguments->quick, "shorter ladders, budgets and timings");
+  app.text("-o,--output", arguments->output, "a .csv or .json with every run").type_name("FILE");
+  add_method_options(app, arguments->options);
+  app.footer(
       "The summary: for each rule and warp the median time to a true error, its median ratio to gauss on the lobe's\n"
       "warp, in how many directions it gets there, and how many of the runs that claim to have converged are wrong:\n"
       "off by more than they report, or by more than four standard errors.\n"
