@@ -26,22 +26,10 @@ T stretched_length(const T& x, const T& y, const T& z, double alpha_x, double al
 
 enum class SmithMasking { correlated, separable };
 
-/// GGX's Smith masking over its denominator, G₂(L,V)/(4 N·L N·V), without dividing by a cosine:
-///  - correlated: 1/(2(N·V s_L + N·L s_V))   from G₂ = 1/(1 + Λ(L) + Λ(V))   [Heitz 2014, eq. 99]
-///  - separable:  1/((N·L + s_L)(N·V + s_V)) from G₂ = 1/((1 + Λ(L))(1 + Λ(V)))   [Heitz 2014, eq. 98]
-/// with s the stretched length of L and V.
+/// The area of GGX's facets as seen from K = (x, y, z), ∫ D (H·K)₊ dω_H = N·K (1 + Λ(K))
 template <class T>
-T ggx_visibility(const DirectionPair<T>& d, double alpha_x, double alpha_y, SmithMasking masking) {
-  const T s_l = stretched_length(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y);
-  const T s_v = stretched_length(d.v_x, d.v_y, d.cos_theta_v, alpha_x, alpha_y);
-  if (masking == SmithMasking::correlated) return 1 / (2 * (d.cos_theta_v * s_l + d.cos_theta_l * s_v));
-  return 1 / ((d.cos_theta_l + s_l) * (d.cos_theta_v + s_v));
-}
-
-/// GGX's G₁(L) = 1/(1 + Λ(L)) = 2 N·L/(N·L + s_L)   [Heitz 2014, eqs. 43, 72]
-template <class T>
-T ggx_masking(const DirectionPair<T>& d, double alpha_x, double alpha_y) {
-  return 2 * d.cos_theta_l / (d.cos_theta_l + stretched_length(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y));
+T ggx_area(const T& x, const T& y, const T& z, double alpha_x, double alpha_y) {
+  return (z + stretched_length(x, y, z, alpha_x, alpha_y)) / 2;
 }
 
 /// z Λ for Beckmann's slopes, Λ = (erf(a) − 1)/2 + e^(−a²)/(2a√π) with a = z/s, s = √((α_x x)² + (α_y y)²) [Heitz 2014,
@@ -54,23 +42,10 @@ T beckmann_shadow(const T& x, const T& y, const T& z, double alpha_x, double alp
   return s * exp(-square(a)) * (1 / sqrt(pi<T>) - a * scaled_erfc(a)) / 2;
 }
 
-/// Beckmann's G₁(L) = 1/(1 + Λ(L))   [Heitz 2014, eqs. 43, 66]
+/// The area of Beckmann's facets as seen from K = (x, y, z), ∫ D (H·K)₊ dω_H = N·K (1 + Λ(K))
 template <class T>
-T beckmann_masking(const DirectionPair<T>& d, double alpha_x, double alpha_y) {
-  return d.cos_theta_l / (d.cos_theta_l + beckmann_shadow(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y));
-}
-
-/// Beckmann's Smith masking over its denominator, G₂(L,V)/(4 N·L N·V), without dividing by a cosine: with e = z Λ,
-///  - correlated: 1/(4(N·L N·V + N·V e_L + N·L e_V))   from G₂ = 1/(1 + Λ(L) + Λ(V))   [Heitz 2014, eq. 99]
-///  - separable:  1/(4(N·L + e_L)(N·V + e_V))          from G₂ = 1/((1 + Λ(L))(1 + Λ(V)))   [Heitz 2014, eq. 98]
-template <class T>
-T beckmann_visibility(const DirectionPair<T>& d, double alpha_x, double alpha_y, SmithMasking masking) {
-  const T e_l = beckmann_shadow(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y);
-  const T e_v = beckmann_shadow(d.v_x, d.v_y, d.cos_theta_v, alpha_x, alpha_y);
-  if (masking == SmithMasking::correlated) {
-    return 1 / (4 * (d.cos_theta_l * d.cos_theta_v + d.cos_theta_v * e_l + d.cos_theta_l * e_v));
-  }
-  return 1 / (4 * (d.cos_theta_l + e_l) * (d.cos_theta_v + e_v));
+T beckmann_area(const T& x, const T& y, const T& z, double alpha_x, double alpha_y) {
+  return z + beckmann_shadow(x, y, z, alpha_x, alpha_y);
 }
 
 }  // namespace albedo

@@ -1,19 +1,12 @@
 #pragma once
 
-#include "albedo/core/parameter.hpp"
-#include "albedo/microfacet/distribution.hpp"
-#include "albedo/microfacet/fresnel.hpp"
-#include "albedo/microfacet/masking.hpp"
-#include "albedo/microfacet/sampling.hpp"
+#include "albedo/models/smith_microfacets.hpp"
 
 namespace albedo {
 
-/// Beckmann microfacets with Smith masking (its exact Λ, not a fit), anisotropic: f = F D G₂ / (4 N·L N·V)
-/// [Walter et al. 2007, eqs. 20, 25; Heitz 2014, eqs. 66, 80, 98 (separable), 99 (height-correlated)]
-struct Beckmann {
-  double alpha_x = 0.3, alpha_y = 0.3;
-  SmithMasking masking = SmithMasking::correlated;
-  Fresnel fresnel;
+/// Beckmann's facets, with the exact Λ, not a fit   [Walter et al. 2007, eq. 25; Heitz 2014, eqs. 66, 80]
+struct BeckmannFacets {
+  static constexpr Profile profile = Profile::gaussian;
 
   static ModelInfo info() {
     return {.name = "beckmann",
@@ -22,48 +15,35 @@ struct Beckmann {
             .deviation = "none",
             .shorthands = {{"alpha", {"alpha_x", "alpha_y"}}, {"m", {"alpha_x", "alpha_y"}}}};
   }
-  static std::vector<Parameter<Beckmann>> parameters() {
-    using M = Beckmann;
-    return with_fresnel<M>(
-        {number<M, &M::alpha_x>("alpha_x", roughness_range, "roughness along x"),
-         number<M, &M::alpha_y>("alpha_y", roughness_range, "roughness along y"),
-         choice<M, &M::masking>("masking", {"correlated", "separable"}, "Smith masking–shadowing G₂")});
-  }
-
-  [[nodiscard]] Claims claims() const {
-    return {.isotropic = alpha_x == alpha_y, .distribution = Measure::projected, .consistent_masking = true};
-  }
-  [[nodiscard]] std::vector<Lobe> lobes() const {
-    Lobe lobe = slope_lobe(0, Profile::gaussian, alpha_x, alpha_y);
-    lobe.horizon_layer = true;
-    lobe.growth = fresnel.growth();
-    return {lobe};
-  }
 
   template <class T>
-  T facet_distribution(const DirectionPair<T>& d) const noexcept {
-    return albedo::beckmann(d, alpha_x, alpha_y);
+  static T distribution(const DirectionPair<T>& d, double alpha_x, double alpha_y) noexcept {
+    return beckmann(d, alpha_x, alpha_y);
   }
   template <class T>
-  T facet_masking(const DirectionPair<T>& d) const noexcept {
-    return beckmann_masking(d, alpha_x, alpha_y);
+  static T area(const T& x, const T& y, const T& z, double alpha_x, double alpha_y) noexcept {
+    return beckmann_area(x, y, z, alpha_x, alpha_y);
   }
-
+  /// 1/(4(N·L N·V + N·V e_L + N·L e_V)) with e = z Λ   [Heitz 2014, eq. 99]
   template <class T>
-  T evaluate(int, const DirectionPair<T>& d) const noexcept {
-    return fresnel(d.cos_theta_d) * albedo::beckmann(d, alpha_x, alpha_y) *
-           beckmann_visibility(d, alpha_x, alpha_y, masking);
+  static T correlated_visibility(const DirectionPair<T>& d, double alpha_x, double alpha_y) noexcept {
+    const T e_l = beckmann_shadow(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y);
+    const T e_v = beckmann_shadow(d.v_x, d.v_y, d.cos_theta_v, alpha_x, alpha_y);
+    return 1 / (4 * (d.cos_theta_l * d.cos_theta_v + d.cos_theta_v * e_l + d.cos_theta_l * e_v));
   }
 
   /// Half vectors of density D N·H   [Walter et al. 2007, eqs. 28, 29].
   template <class T>
-  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+  static Sampled<T> sample(const UnitVector<T>& l, double alpha_x, double alpha_y, const T& u, const T& v) noexcept {
     return sample_beckmann(l, alpha_x, alpha_y, u, v);
   }
   template <class T>
-  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+  static T density(const UnitVector<T>& l, const UnitVector<T>& v, double alpha_x, double alpha_y) noexcept {
     return beckmann_density(half_vector_pair(l, v), alpha_x, alpha_y);
   }
 };
+
+/// Beckmann microfacets with Smith masking, anisotropic.
+using Beckmann = SmithMicrofacets<BeckmannFacets>;
 
 }  // namespace albedo

@@ -1,19 +1,12 @@
 #pragma once
 
-#include "albedo/core/parameter.hpp"
-#include "albedo/microfacet/distribution.hpp"
-#include "albedo/microfacet/fresnel.hpp"
-#include "albedo/microfacet/masking.hpp"
-#include "albedo/microfacet/sampling.hpp"
+#include "albedo/models/smith_microfacets.hpp"
 
 namespace albedo {
 
-/// GGX microfacets with Smith masking, anisotropic: f = F D G₂ / (4 N·L N·V)
-/// [Walter et al. 2007, eqs. 20, 33; Heitz 2014, eqs. 72, 85, 86, 98 (separable), 99 (height-correlated)]
-struct Ggx {
-  double alpha_x = 0.3, alpha_y = 0.3;
-  SmithMasking masking = SmithMasking::correlated;
-  Fresnel fresnel;
+/// GGX's facets   [Walter et al. 2007, eq. 33; Heitz 2014, eqs. 72, 85, 86]
+struct GgxFacets {
+  static constexpr Profile profile = Profile::ggx;
 
   static ModelInfo info() {
     return {.name = "ggx",
@@ -22,47 +15,35 @@ struct Ggx {
             .deviation = "none",
             .shorthands = {{"alpha", {"alpha_x", "alpha_y"}}}};
   }
-  static std::vector<Parameter<Ggx>> parameters() {
-    using M = Ggx;
-    return with_fresnel<M>(
-        {number<M, &M::alpha_x>("alpha_x", roughness_range, "roughness along x"),
-         number<M, &M::alpha_y>("alpha_y", roughness_range, "roughness along y"),
-         choice<M, &M::masking>("masking", {"correlated", "separable"}, "Smith masking–shadowing G₂")});
-  }
-
-  [[nodiscard]] Claims claims() const {
-    return {.isotropic = alpha_x == alpha_y, .distribution = Measure::projected, .consistent_masking = true};
-  }
-  [[nodiscard]] std::vector<Lobe> lobes() const {
-    Lobe lobe = slope_lobe(0, Profile::ggx, alpha_x, alpha_y);
-    lobe.horizon_layer = true;
-    return {lobe};
-  }
 
   template <class T>
-  T facet_distribution(const DirectionPair<T>& d) const noexcept {
+  static T distribution(const DirectionPair<T>& d, double alpha_x, double alpha_y) noexcept {
     return ggx_distribution(d, alpha_x, alpha_y);
   }
   template <class T>
-  T facet_masking(const DirectionPair<T>& d) const noexcept {
-    return ggx_masking(d, alpha_x, alpha_y);
+  static T area(const T& x, const T& y, const T& z, double alpha_x, double alpha_y) noexcept {
+    return ggx_area(x, y, z, alpha_x, alpha_y);
   }
-
+  /// 1/(2(N·V s_L + N·L s_V)), s the stretched length of L and V   [Heitz 2014, eq. 99]
   template <class T>
-  T evaluate(int, const DirectionPair<T>& d) const noexcept {
-    return fresnel(d.cos_theta_d) * ggx_distribution(d, alpha_x, alpha_y) *
-           ggx_visibility(d, alpha_x, alpha_y, masking);
+  static T correlated_visibility(const DirectionPair<T>& d, double alpha_x, double alpha_y) noexcept {
+    const T s_l = stretched_length(d.l_x, d.l_y, d.cos_theta_l, alpha_x, alpha_y);
+    const T s_v = stretched_length(d.v_x, d.v_y, d.cos_theta_v, alpha_x, alpha_y);
+    return 1 / (2 * (d.cos_theta_v * s_l + d.cos_theta_l * s_v));
   }
 
   /// Visible half vectors [Heitz 2018], whichever the masking.
   template <class T>
-  Sampled<T> sample(int, const UnitVector<T>& l, const T& u, const T& v) const noexcept {
+  static Sampled<T> sample(const UnitVector<T>& l, double alpha_x, double alpha_y, const T& u, const T& v) noexcept {
     return sample_ggx_visible(l, alpha_x, alpha_y, u, v);
   }
   template <class T>
-  T density(int, const UnitVector<T>& l, const UnitVector<T>& v) const noexcept {
+  static T density(const UnitVector<T>& l, const UnitVector<T>& v, double alpha_x, double alpha_y) noexcept {
     return select(v.z + l.z > T(0), ggx_visible_density(half_vector_pair(l, v), alpha_x, alpha_y), T(0));
   }
 };
+
+/// GGX microfacets with Smith masking, anisotropic.
+using Ggx = SmithMicrofacets<GgxFacets>;
 
 }  // namespace albedo

@@ -89,9 +89,9 @@ struct MicrofacetGenerator {
   T area(const T& x, const T& y, const T& z) const noexcept {
     switch (distribution) {
       case Distribution::ggx:
-        return (z + stretched_length(x, y, z, alpha, alpha)) / 2;
+        return ggx_area(x, y, z, alpha, alpha);
       case Distribution::beckmann:
-        return z + beckmann_shadow(x, y, z, alpha, alpha);
+        return beckmann_area(x, y, z, alpha, alpha);
       case Distribution::power:
         break;
     }
