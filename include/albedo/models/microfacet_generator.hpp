@@ -25,7 +25,7 @@ struct MicrofacetGenerator {
   double alpha = 0.3;
   Distribution distribution = Distribution::ggx;
   Fresnel fresnel;
-  std::optional<PowerArea> power_area{};  ///< of a power distribution, made when the parameters are set
+  std::optional<PowerArea> power_area{};  ///< of a power distribution, set by load()
 
   static ModelInfo info() {
     return {.name = "microfacet_generator",
@@ -35,12 +35,9 @@ struct MicrofacetGenerator {
   }
   static std::vector<Parameter<MicrofacetGenerator>> parameters() {
     using M = MicrofacetGenerator;
-    std::vector<Parameter<M>> own{
-        number<M, &M::alpha>("alpha", roughness_range, "roughness of the facets"),
-        choice<M, &M::distribution>("distribution", {"ggx", "beckmann", "power"}, "distribution of facet normals")};
-    own[0].set = [](M& m, double value) { m.alpha = value, m.tabulate(); };
-    own[1].set = [](M& m, double value) { m.distribution = static_cast<Distribution>(value), m.tabulate(); };
-    return with_fresnel<M>(std::move(own));
+    return with_fresnel<M>(
+        {number<M, &M::alpha>("alpha", roughness_range, "roughness of the facets"),
+         choice<M, &M::distribution>("distribution", {"ggx", "beckmann", "power"}, "distribution of facet normals")});
   }
 
   [[nodiscard]] Claims claims() const { return {.distribution = Measure::projected, .consistent_masking = true}; }
@@ -60,7 +57,7 @@ struct MicrofacetGenerator {
   }
 
   [[nodiscard]] double exponent() const { return 2 / (alpha * alpha); }
-  void tabulate() {
+  void load() {
     if (distribution == Distribution::power) power_area = PowerArea(exponent());
   }
 
