@@ -30,6 +30,18 @@ build_against_installed(
   "${CMAKE_CURRENT_LIST_DIR}" "${WORK_DIR}/build" "-DALBEDO_VERSION=${VERSION}" -DCMAKE_DISABLE_FIND_PACKAGE_OpenEXR=ON
   -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
 run("${WORK_DIR}/build/consumer")
+
+# Without the library's flags the linker must say for which instruction set the program was compiled.
+if(CMAKE_HOST_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  execute_process(
+    COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --target mismatched
+    RESULT_VARIABLE code
+    OUTPUT_VARIABLE message
+    ERROR_VARIABLE message)
+  if(code EQUAL 0 OR NOT message MATCHES "albedo::(avx|sse2)::Model")
+    message(FATAL_ERROR "a program for another instruction set than the library's: exit ${code}: ${message}")
+  endif()
+endif()
 if(NOT PROGRAM)
   return()
 endif()

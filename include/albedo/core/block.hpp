@@ -10,7 +10,9 @@ namespace albedo {
 /// Lanes of a Block. Results don't depend on how many of them the machine computes at once.
 inline constexpr int block_width = 8;
 
-namespace detail {
+}  // namespace albedo
+
+namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET {
 
 inline constexpr int block_parts = block_width / vector_width;
 
@@ -25,7 +27,9 @@ template <class Result, class Function>
   return result;
 }
 
-}  // namespace detail
+}  // namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET
+
+namespace albedo::inline ALBEDO_INSTRUCTION_SET {
 
 /// A truth value per lane: the result of comparing blocks.
 struct BlockMask {
@@ -112,7 +116,10 @@ struct alignas(block_width * sizeof(double)) Block {
   }
 };
 
-namespace detail {
+}  // namespace albedo::inline ALBEDO_INSTRUCTION_SET
+
+namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET {
+
 /// A function of the machine's vector, on every part.
 template <Vector (*function)(Vector)>
 [[gnu::always_inline]] inline Block apply(const Block& x) {
@@ -123,7 +130,10 @@ template <Vector (*function)(Vector)>
   (std::make_integer_sequence<int, block_parts>());
   return result;
 }
-}  // namespace detail
+
+}  // namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET
+
+namespace albedo::inline ALBEDO_INSTRUCTION_SET {
 
 /// `a` where the mask holds, `b` elsewhere.
 [[gnu::always_inline]] inline Block select(const BlockMask& mask, const Block& a, const Block& b) {
@@ -170,4 +180,4 @@ inline Block tan(const Block& x) {
   return Block::generate([&](int lane) { return std::tan(x[lane]); });
 }
 
-}  // namespace albedo
+}  // namespace albedo::inline ALBEDO_INSTRUCTION_SET

@@ -85,6 +85,8 @@ using Parameters = std::vector<std::pair<std::string, ParameterValue>>;
 
 class QuadFormula;
 
+inline namespace ALBEDO_INSTRUCTION_SET {
+
 /// A reflectance model with its parameters set: a sum of lobes, each of which can be integrated on a warp of its own.
 ///
 /// The formula behind it is one template over the number type; this interface runs it on a block of pairs (the fast
@@ -136,6 +138,8 @@ class Model {
   Model(const Model&) = default;
   Model& operator=(const Model&) = default;
 };
+
+}  // namespace ALBEDO_INSTRUCTION_SET
 
 /// f(L,V) [1/sr], the sum of a model's lobes, for directions in the number type T (double or float; Quad with
 /// core/quad.hpp).

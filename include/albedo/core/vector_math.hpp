@@ -7,15 +7,19 @@
 #include <cstring>
 #include <limits>
 
-#ifdef __SSE2__
+#include "albedo/core/instruction_set.hpp"
+
+#if defined(__SSE2__)
 #include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
 #endif
 
 /// The machine's own vector of doubles, through the compiler's vector types, and the elementary functions on it.
 ///
 /// The functions are straight-line code and the same on every machine but for the rounding of fused operations, which
 /// they ask for by name. Errors are in units in the last place, as tests/unit/block_test.cpp measures them.
-namespace albedo::detail {
+namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET {
 
 #if defined(__AVX512F__)
 inline constexpr int vector_bytes = 64;
@@ -52,6 +56,8 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
   return _mm256_sqrt_pd(x);
 #elif defined(__SSE2__)
   return _mm_sqrt_pd(x);
+#elif defined(__aarch64__)
+  return vsqrtq_f64(x);
 #else
   for (int lane = 0; lane < vector_width; ++lane) x[lane] = std::sqrt(x[lane]);
   return x;
@@ -64,6 +70,8 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
   return _mm512_fmadd_pd(a, b, c);
 #elif defined(__FMA__)
   return _mm256_fmadd_pd(a, b, c);
+#elif defined(__aarch64__)
+  return vfmaq_f64(c, a, b);
 #else
   return a * b + c;
 #endif
@@ -226,4 +234,4 @@ inline Vector arc_tangent(Vector x) {
   return from_bits(bits(result) | (bits(x) & sign_bit));
 }
 
-}  // namespace albedo::detail
+}  // namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET
