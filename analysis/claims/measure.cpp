@@ -14,8 +14,9 @@ constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 constexpr AuditOptions nothing_but_energy{
     .grazing = false, .reciprocity = false, .facets = false, .samplers = false, .average = false};
 
-const Lobe& slope_lobe_of(const std::vector<Lobe>& lobes) {
-  return *std::ranges::find(lobes, LobeShape::half_vector, &Lobe::shape);
+SlopeLobe slope_lobe_of(const Model& model) {
+  const std::vector<Lobe> lobes = model.lobes();
+  return std::ranges::find_if(lobes, &Lobe::is<SlopeLobe>)->slopes();
 }
 
 }  // namespace
@@ -102,8 +103,7 @@ Decrease decrease_of(const Model& model) {
 }
 
 Estimate facet_integral(const Model& model, int power) {
-  const std::vector<Lobe> lobes = model.lobes();
-  const Lobe& lobe = slope_lobe_of(lobes);
+  const SlopeLobe lobe = slope_lobe_of(model);
   const UnitVector<double> normal{0, 0, 1};
   return square_integral([&](double u, double v) {
     const double r = u / (1 - u), phi = pi<double> / 2 * v;  // all quadrants are alike
@@ -114,8 +114,7 @@ Estimate facet_integral(const Model& model, int power) {
 }
 
 Estimate facing_away(const Model& model, double theta) {
-  const std::vector<Lobe> lobes = model.lobes();
-  const Lobe& lobe = slope_lobe_of(lobes);
+  const SlopeLobe lobe = slope_lobe_of(model);
   const Direction direction = Direction::from_degrees(theta);
   const double edge = direction.cos_theta / direction.sin_theta;
   return square_integral([&](double u, double v) {

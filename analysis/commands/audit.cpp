@@ -35,8 +35,7 @@ struct Arguments {
 /// What a table that isn't smooth is integrated with where nothing else is asked for.
 AlbedoOptions albedo_options(const ComputeOptions& asked, const Model& model) {
   AlbedoOptions options = asked.albedo();
-  const auto is_table = [](const Lobe& lobe) { return lobe.shape == LobeShape::half_angles; };
-  if (!asked.tolerance && std::ranges::any_of(model.lobes(), is_table)) {
+  if (!asked.tolerance && std::ranges::any_of(model.lobes(), &Lobe::is<HalfAnglesLobe>)) {
     options.tolerance = 1e-3;
     if (asked.rule == Rule::gauss) options.rule = Rule::cubature;
   }

@@ -18,8 +18,8 @@ class Radiance {
   explicit Radiance(const Model& model) : model_(model) {
     double width = 20;
     for (const Lobe& lobe : model.lobes()) {
-      if (lobe.shape == LobeShape::cosine) continue;
-      width = std::min({width, lobe.width_x * 180 / pi<double>, lobe.width_y * 180 / pi<double>});
+      if (lobe.is<CosineLobe>()) continue;
+      width = std::min(width, lobe.widths().narrow * 180 / pi<double>);
     }
     for (double theta_l = 0; theta_l <= last_theta; theta_l += theta_l < 89 ? 1 : 0.3) {
       std::vector<double> views;

@@ -13,14 +13,13 @@ constexpr RuleOptions options{.tolerance = 1e-10, .budget = 1'000'000, .seed = 1
 constexpr double slack = 1e-8;
 
 /// The lobe of half vectors that the distribution is of.
-const Lobe* facet_lobe(const std::vector<Lobe>& lobes) {
-  const auto found =
-      std::find_if(lobes.begin(), lobes.end(), [](const Lobe& lobe) { return lobe.shape == LobeShape::half_vector; });
-  return found == lobes.end() ? nullptr : &*found;
+const SlopeLobe* facet_lobe(const std::vector<Lobe>& lobes) {
+  const auto found = std::ranges::find_if(lobes, &Lobe::is<SlopeLobe>);
+  return found == lobes.end() ? nullptr : &found->slopes();
 }
 
 /// ∫ D(H) (N·H)^power dω_H over slopes (width_x r cosφ, width_y r sinφ), r = u/(1 − u), dω_H = cos³θ_H d²slope.
-Estimate integral(const Model& model, const Lobe& lobe, int power) {
+Estimate integral(const Model& model, const SlopeLobe& lobe, int power) {
   const UnitVector<double> normal{0, 0, 1};
   const auto integrand = [&](int, double u, double v) {
     const double r = u / (1 - u), phi = pi<double> / 2 * v;
@@ -36,7 +35,7 @@ Estimate integral(const Model& model, const Lobe& lobe, int power) {
 
 /// ∫ G₁ D (L·H)₊ dω_H/(N·L) over slopes in units of the lobe's widths, along the light (panels between the places where
 /// L·H = 0 and where V-cavities begin to shade) and across it, both as a sinh.
-Estimate furnace(const Model& model, const Lobe& lobe, const Direction& direction) {
+Estimate furnace(const Model& model, const SlopeLobe& lobe, const Direction& direction) {
   constexpr double reach = 40;  // sinh of it: what GGX's tail has beyond is 1e-17
   const UnitVector<double> l = unit_vector<double>(direction);
   const double x = lobe.width_x * l.x, y = lobe.width_y * l.y;
@@ -66,7 +65,7 @@ Estimate furnace(const Model& model, const Lobe& lobe, const Direction& directio
 
 DistributionAudit audit_distribution(const Model& model) {
   const std::vector<Lobe> lobes = model.lobes();
-  const Lobe* lobe = facet_lobe(lobes);
+  const SlopeLobe* lobe = facet_lobe(lobes);
   if (!model.has_facet_distribution() || lobe == nullptr) return {};
   DistributionAudit audit{.projected = integral(model, *lobe, 1), .solid_angle = integral(model, *lobe, 0)};
   const Measure claimed = model.claims().distribution;
@@ -80,7 +79,7 @@ DistributionAudit audit_distribution(const Model& model) {
 
 MaskingAudit audit_masking(const Model& model) {
   const std::vector<Lobe> lobes = model.lobes();
-  const Lobe* lobe = facet_lobe(lobes);
+  const SlopeLobe* lobe = facet_lobe(lobes);
   if (!model.has_facet_masking() || lobe == nullptr) return {};
   MaskingAudit audit{.furthest = {.value = 1}};
   double furthest = -1;

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "albedo/microfacet/sampling.hpp"
 #include "audit/parts.hpp"
+#include "audit/sample_lobe.hpp"
 #include "integration/integrand_of.hpp"
 
 namespace albedo {
@@ -22,23 +22,12 @@ AlbedoOptions albedo_options(const GrazingOptions& options, Rule rule) {
 
 Direction toward(double cos_theta, double phi) { return Direction::from_cosine(cos_theta, phi); }
 
-/// Directions V that are within a lobe wherever L is: of given slopes, gaps from its axis, or anywhere.
+/// Directions V that are within a lobe wherever L is.
 std::vector<DirectionPair<double>> within(const Lobe& lobe, const UnitVector<double>& l) {
   constexpr std::array places{0.15, 0.4, 0.7, 0.9};
   std::vector<DirectionPair<double>> pairs;
   for (const double u : places) {
-    for (const double v : {0.07, 0.31, 0.57, 0.83}) {
-      DirectionPair<double> pair;
-      if (lobe.shape == LobeShape::half_vector || lobe.shape == LobeShape::near_mirror) {
-        pair = sample_beckmann(l, lobe.width_x, lobe.width_y, u, v).pair;
-      } else if (lobe.shape == LobeShape::mirror) {
-        const double n = 1 / square(lobe.width_x) - 1;
-        pair = sample_axis(l, sampling_axis(l, lobe.axis_x, lobe.axis_y, lobe.axis_z), n, u, v).pair;
-      } else {
-        pair = sample_cosine(l, u, v).pair;
-      }
-      pairs.push_back(pair);
-    }
+    for (const double v : {0.07, 0.31, 0.57, 0.83}) pairs.push_back(sample_lobe(lobe, l, u, v).pair);
   }
   return pairs;
 }

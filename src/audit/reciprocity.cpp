@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "albedo/core/quad.hpp"
-#include "albedo/microfacet/sampling.hpp"
 #include "audit/parts.hpp"
+#include "audit/sample_lobe.hpp"
 #include "rules/random.hpp"
 
 namespace albedo {
@@ -28,14 +28,7 @@ T asymmetry(const Model& model, const Direction& l, const Direction& v) {
 UnitVector<double> viewer(const std::vector<Lobe>& lobes, const UnitVector<double>& l, std::uint32_t i, double u,
                           double v) {
   const Lobe& lobe = lobes[i / 2 % lobes.size()];
-  if (i % 2 == 1 && (lobe.shape == LobeShape::half_vector || lobe.shape == LobeShape::near_mirror)) {
-    return sample_beckmann(l, lobe.width_x, lobe.width_y, u, v).viewer();
-  }
-  if (i % 2 == 1 && lobe.shape == LobeShape::mirror) {
-    const double n = 1 / square(lobe.width_x) - 1;
-    return sample_axis(l, sampling_axis(l, lobe.axis_x, lobe.axis_y, lobe.axis_z), n, u, v).viewer();
-  }
-  return sample_cosine(l, u, v).viewer();
+  return (i % 2 == 1 ? sample_lobe(lobe, l, u, v) : sample_cosine(l, u, v)).viewer();
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ class SphereChart final : public Chart {
 /// Slopes of H in units of the lobe's widths, tanγ of them. Every V but −L has one H above the surface.
 class SlopeChart final : public Chart {
  public:
-  SlopeChart(const UnitVector<double>& l, const Lobe& lobe) : l_(l), x_(lobe.width_x), y_(lobe.width_y) {}
+  SlopeChart(const UnitVector<double>& l, const SlopeLobe& lobe) : l_(l), x_(lobe.width_x), y_(lobe.width_y) {}
 
   [[nodiscard]] Point to(const Sampled<double>& drawn) const override {
     const double x = drawn.pair.slope_x / x_, y = drawn.pair.slope_y / y_;
@@ -197,8 +197,8 @@ SamplerAudit look(const Model& model, const Lobe& lobe, double theta, double phi
   for (std::uint32_t i = 0; i < pilot_count; ++i) pilot.push_back(draw(i, 0));
   if (!std::ranges::all_of(pilot, is_finite)) return nothing_known(audit);
   std::unique_ptr<Chart> chart;
-  if (lobe.shape == LobeShape::half_vector) {
-    chart = std::make_unique<SlopeChart>(l, lobe);
+  if (const auto* slopes = lobe.as<SlopeLobe>()) {
+    chart = std::make_unique<SlopeChart>(l, *slopes);
   } else {
     chart = std::make_unique<SphereChart>(pilot);
   }

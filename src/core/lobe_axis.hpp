@@ -5,10 +5,11 @@
 
 namespace albedo {
 
-/// The axis A of a mirror lobe, of unit length; the normal where a lobe's weights leave nothing of L.
+/// A lobe's axis A, of unit length; the normal where a lobe's weights leave nothing of L.
 template <class T>
 UnitVector<T> lobe_axis(const Lobe& lobe, const UnitVector<T>& l) {
-  const UnitVector<T> a{T(lobe.axis_x) * l.x, T(lobe.axis_y) * l.y, T(lobe.axis_z) * l.z};
+  const auto [x, y, z] = lobe.axis();
+  const UnitVector<T> a{T(x) * l.x, T(y) * l.y, T(z) * l.z};
   const T length = sqrt(square(a.x) + square(a.y) + square(a.z));
   if (!(length > T(0))) return {T(0), T(0), T(1)};
   return {a.x / length, a.y / length, a.z / length};

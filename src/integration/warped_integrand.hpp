@@ -24,19 +24,16 @@ std::unique_ptr<Integrand<Scalar<T>>> warped_integrand(const Model& model, const
   if (options.warp == Warp::paper) {
     return std::make_unique<PaperIntegrand<T>>(model, lobe, l, options.tolerance, as_float);
   }
-  switch (options.warp == Warp::hemisphere ? LobeShape::cosine : lobe.shape) {
-    case LobeShape::mirror:
-      return std::make_unique<LobeIntegrand<MirrorLobeWarp, T>>(model, lobe, l, options.tolerance, as_float);
-    case LobeShape::half_vector:
-      return std::make_unique<LobeIntegrand<HalfVectorWarp, T>>(model, lobe, l, options.tolerance, as_float);
-    case LobeShape::near_mirror:
-      return std::make_unique<LobeIntegrand<NearMirrorWarp, T>>(model, lobe, l, options.tolerance, as_float);
-    case LobeShape::half_angles:
-      return std::make_unique<LobeIntegrand<HalfAnglesWarp, T>>(model, lobe, l, options.tolerance, as_float);
-    case LobeShape::cosine:
-      break;
+  const auto on = [&]<template <class> class Warped>() -> std::unique_ptr<Integrand<Scalar<T>>> {
+    return std::make_unique<LobeIntegrand<Warped, T>>(model, lobe, l, options.tolerance, as_float);
+  };
+  if (options.warp != Warp::hemisphere) {
+    if (lobe.is<MirrorLobe>()) return on.template operator()<MirrorLobeWarp>();
+    if (lobe.is<SlopeLobe>()) return on.template operator()<HalfVectorWarp>();
+    if (lobe.is<NearMirrorLobe>()) return on.template operator()<NearMirrorWarp>();
+    if (lobe.is<HalfAnglesLobe>()) return on.template operator()<HalfAnglesWarp>();
   }
-  return std::make_unique<LobeIntegrand<HemisphereWarp, T>>(model, lobe, l, options.tolerance, as_float);
+  return on.template operator()<HemisphereWarp>();
 }
 
 /// Lobes of a model, each on its own warp.

@@ -61,10 +61,10 @@ AzimuthIntegral::Ring AzimuthIntegral::ring(const Lobe& lobe, double x) const {
   Ring ring{lobe, broadcast<Block>(axis), cos_phi_, sin_phi_, std::exp(-x), std::sqrt(-std::expm1(-2 * x)), 4};
   const double planar = std::hypot(axis.x, axis.y);
   if (planar > 0 && (l_.x != 0 || l_.y != 0)) ring.cos_c = axis.x / planar, ring.sin_c = axis.y / planar;
-  if (lobe.shape == LobeShape::cosine) return ring;
-  double width = std::min({lobe.width_x, lobe.width_y, 1.0}) / std::max(ring.sin_v, 1e-3);
+  if (lobe.is<CosineLobe>()) return ring;
+  double width = std::min(lobe.widths().narrow, 1.0) / std::max(ring.sin_v, 1e-3);
   // half vectors turn faster than V where both directions are near the horizon
-  if (lobe.shape != LobeShape::mirror) width *= std::min(1.0, l_.z + ring.cos_v);
+  if (!lobe.is<MirrorLobe>()) width *= std::min(1.0, l_.z + ring.cos_v);
   ring.width = std::clamp(width, 1e-12, 4.0);
   return ring;
 }

@@ -64,8 +64,8 @@ std::vector<double> KernelRow::first_edges(const AzimuthIntegral& flux) const {
   }
   edges.push_back(nearest);
   for (const Lobe& lobe : flux.lobes()) {
-    const double width = std::min({lobe.width_x, lobe.width_y, 1.0});
-    if (width > 0.2 || lobe.shape == LobeShape::cosine) continue;
+    const double width = std::min(lobe.widths().narrow, 1.0);
+    if (width > 0.2 || lobe.is<CosineLobe>()) continue;
     const UnitVector<double> axis = lobe_axis(lobe, flux.light());
     const double centre = std::atan2(std::hypot(axis.x, axis.y), axis.z);
     for (double distance = 4 * width; distance < 1; distance *= 6) {

@@ -30,24 +30,24 @@ class HalfVectorWarp {
  public:
   /// @param tolerance relative; what a Gaussian or power lobe has beyond it is left out
   HalfVectorWarp(const Lobe& lobe, const Direction& l, double tolerance)
-      : profile_(lobe.profile),
+      : profile_(lobe.slopes().profile),
         symmetric_(mirror_symmetric(lobe, l)),
-        turning_(lobe.horizon_layer && lobe.width_x != lobe.width_y),
-        alpha_x_(lobe.width_x),
-        alpha_y_(lobe.width_y),
+        turning_(lobe.horizon_layer && lobe.slopes().width_x != lobe.slopes().width_y),
+        alpha_x_(lobe.slopes().width_x),
+        alpha_y_(lobe.slopes().width_y),
         l_(unit_vector<S>(l)),
         axis_(lobe_axis(lobe, l_)),
         turn_(make_turn(lobe, l)) {
     const Cut cut = profile_ == Profile::ggx ? Cut{1e250, 0} : lobe_cut(tolerance, lobe.growth);
     cut_ = cut.radius;
     truncation_ = cut.truncation;
-    widest_ = lobe.width_x > lobe.width_y ? S(alpha_x_) : S(alpha_y_);
+    widest_ = lobe.slopes().width_x > lobe.slopes().width_y ? S(alpha_x_) : S(alpha_y_);
     cut_tau_ = tau_of_radius(cut_ * widest_);
     stretch_ = profile_ == Profile::ggx || (profile_ == Profile::gaussian && widest_ * cut_ > 2);
     horizon_exponent_ = lobe.horizon_exponent;
-    horizon_layer_ = lobe.horizon_layer && std::min(lobe.width_x, lobe.width_y) < 0.3;
+    horizon_layer_ = lobe.horizon_layer && lobe.widths().narrow < 0.3;
     // Smith's Λ has a cone at V = N, rounded over an angle of 1/α: a point inside the domain of wide lobes
-    const double widest = std::max(lobe.width_x, lobe.width_y);
+    const double widest = lobe.widths().wide;
     const bool cone = lobe.horizon_layer && widest >= (profile_ == Profile::ggx ? 1.5 : 0.3);
     rough_ = cone || turning_;
     digits_ = -std::log10(tolerance);
@@ -194,7 +194,7 @@ class HalfVectorWarp {
     offset_cos_ = 1;
     offset_sin_ = 0;
     const bool kinked = lobe.kink_equal_cosines || lobe.kink_v_cavity;  // then ±K must stay where cosφ = 0
-    if (!kinked && root > 0 && lobe.width_x != lobe.width_y) {
+    if (!kinked && root > 0 && lobe.slopes().width_x != lobe.slopes().width_y) {
       const S cos_2 = half / root;  // of twice the angle to the form's larger axis
       const S larger = sqrt((1 + abs(cos_2)) / 2), smaller = abs(m12 / root) / (2 * larger);
       offset_cos_ = cos_2 >= 0 ? larger : smaller;

@@ -19,8 +19,7 @@ class HemisphereWarp {
 
  public:
   HemisphereWarp(const Lobe& lobe, const Direction& l, double tolerance)
-      : symmetric_(lobe.shape == LobeShape::cosine ||
-                   (lobe.shape != LobeShape::half_angles && mirror_symmetric(lobe, l))),
+      : symmetric_(lobe.is<CosineLobe>() || (!lobe.is<HalfAnglesLobe>() && mirror_symmetric(lobe, l))),
         l_(unit_vector<S>(l)),
         axis_(lobe_axis(lobe, l_)) {
     const S planar = sqrt(square(axis_.x) + square(axis_.y));
@@ -31,7 +30,7 @@ class HemisphereWarp {
       cos_phi_ = -l_.x / l_planar, sin_phi_ = -l_.y / l_planar;
     }
     const double digits = -std::log10(tolerance);
-    if (lobe.shape == LobeShape::cosine) {
+    if (lobe.is<CosineLobe>()) {
       if (lobe.kink_equal_cosines && l_planar > 0) {
         split_at_kinks(digits);
       } else {
@@ -49,16 +48,17 @@ class HemisphereWarp {
     }
     const double sine = static_cast<double>(planar), cosine = static_cast<double>(axis_.z);
     // A lobe that reaches the horizon, or is elongated, isn't tracked: then nothing is believed.
-    const double narrow = std::min(lobe.width_x, lobe.width_y), wide = std::max(lobe.width_x, lobe.width_y);
-    const double reach = lobe.profile == Profile::ggx ? 100 : 4;  // in widths; a heavy tail is met far out
+    const auto [narrow, wide] = lobe.widths();
+    const bool heavy = lobe.is<SlopeLobe>() && lobe.slopes().profile == Profile::ggx;
+    const double reach = heavy ? 100 : 4;  // in widths; a heavy tail is met far out
     const bool grazing = cosine < 0.03 || (cosine < 0.2 && cosine < reach * wide);
-    const bool changing = lobe.shape == LobeShape::near_mirror && wide < 0.1;  // wider than it says away from N
-    const bool unknown = lobe.shape == LobeShape::half_angles;
+    const bool changing = lobe.is<NearMirrorLobe>() && wide < 0.1;  // wider than it says away from N
+    const bool unknown = lobe.is<HalfAnglesLobe>();
     if (grazing || changing || unknown || wide > 4 * narrow) {
       for (Panel& panel : panels_) panel.tracked = false;
       return;
     }
-    if (lobe.shape == LobeShape::mirror) {
+    if (lobe.is<MirrorLobe>()) {
       for (int ring = -3; ring <= 3; ++ring) {
         const double theta = std::atan2(sine, cosine) + ring * wide;
         announce(std::sin(theta), std::max(std::cos(theta), 0.0), narrow, narrow);

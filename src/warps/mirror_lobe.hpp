@@ -24,7 +24,7 @@ class MirrorLobeWarp {
       : l_(unit_vector<S>(l)),
         axis_(lobe_axis(lobe, l_)),
         axis_sin_(sqrt(square(axis_.x) + square(axis_.y))),
-        rho_(lobe.width_x),
+        rho_(std::get<MirrorLobe>(lobe.shape).width),
         cut_(lobe_cut(tolerance).radius),
         truncation_(lobe_cut(tolerance).truncation),
         turn_(min(S(1), max(S(abs(axis_.z)), S(1e-15)))),

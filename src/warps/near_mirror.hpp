@@ -31,14 +31,15 @@ class NearMirrorWarp {
     below_zenith_ = cos_l_ > S(0.5) ? S(sin_l_ / sqrt(S(1 + cos_l_))) : S(sqrt(S(1 - cos_l_)));
     mirror_ = cos_l_ / (1 + below_zenith_);
     // facets turn V by twice their slope; diffraction spreads it evenly in (V_x, V_y), seen aslant
-    const S facets = S(2 * lobe.facet_width);
-    const S spread = S(2 * std::sqrt(std::max(0.0, square(lobe.width_x) - square(lobe.facet_width))));
+    const auto [width, facet_width] = std::get<NearMirrorLobe>(lobe.shape);
+    const S facets = S(2 * facet_width);
+    const S spread = S(2 * std::sqrt(std::max(0.0, square(width) - square(facet_width))));
     const S aslant = spread / (cos_l_ + sqrt(spread));
     const S elevation = S(0.6) * sqrt(S(square(facets) + square(aslant)));
     const S azimuth_width = sqrt(S(square(S(facets * cos_l_)) + square(spread))) / pi<S>;
     turn_ = stretched(S(1), azimuth_width / max(sin_l_, azimuth_width));
     const double digits = -std::log10(tolerance);
-    const S layer = S(lobe.facet_width) / 2;
+    const S layer = S(facet_width) / 2;
     const S middle = mirror_ / 2;
     add({S(0), S(1), stretched(middle, layer)}, digits);
     add({mirror_, S(-1), stretched(middle, elevation)}, digits);

@@ -34,7 +34,7 @@ class PaperWarp {
         turn_(turn_of(lobe, l)) {
     if constexpr (std::is_same_v<T, Block>) {
       Panel panel{{AxisKind::interval, 16}, {AxisKind::interval, 16}};
-      if (lobe.shape != LobeShape::cosine) {
+      if (!lobe.is<CosineLobe>()) {
         panel.tracked = lobe.horizon_exponent >= 0;
         look_at_tail(tolerance, panel);
       } else if (lobe.kink_equal_cosines) {
@@ -72,12 +72,13 @@ class PaperWarp {
   /// Samplers are periodic in v. At grazing incidence the horizon is at quarters of a turn from L; turned to v = 1/3
   /// and 5/6 it stays away from the places where rules divide, halves or fifths of intervals.
   static double turn_of(const Lobe& lobe, const Direction& l) {
-    const bool slopes =
-        lobe.shape == LobeShape::half_vector && lobe.profile != Profile::ggx;        // v is an azimuth of slopes
-    const bool kinked = lobe.shape == LobeShape::cosine && lobe.kink_equal_cosines;  // at a quarter turn from L, too
-    const double azimuth = slopes   ? std::atan2(lobe.width_y * l.sin_phi, lobe.width_x * l.cos_phi)
-                           : kinked ? std::atan2(l.sin_phi, l.cos_phi)
-                                    : 0;
+    const auto* slopes = lobe.as<SlopeLobe>();
+    double azimuth = 0;
+    if (slopes != nullptr && slopes->profile != Profile::ggx) {  // v is an azimuth of slopes
+      azimuth = std::atan2(slopes->width_y * l.sin_phi, slopes->width_x * l.cos_phi);
+    } else if (lobe.is<CosineLobe>() && lobe.kink_equal_cosines) {  // at a quarter turn from L, too
+      azimuth = std::atan2(l.sin_phi, l.cos_phi);
+    }
     return azimuth / (2 * pi<double>)-1.0 / 12;
   }
 
@@ -131,7 +132,7 @@ class PaperWarp {
   [[nodiscard]] DirectionPair<T> mirrored(const Lobe& lobe) const {
     const UnitVector<T> mirror{-l_.x, -l_.y, l_.z};
     DirectionPair<T> pair{l_.z, l_.z, l_.x, l_.y, mirror.x, mirror.y, l_.z, T(1), T(0), T(0), T(0)};
-    if (lobe.shape == LobeShape::mirror) pair.axis_gap = T(1);  // off its axis, to be finite for any exponent
+    if (lobe.is<MirrorLobe>()) pair.axis_gap = T(1);  // off its axis, to be finite for any exponent
     return pair;
   }
 

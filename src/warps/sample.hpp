@@ -15,7 +15,8 @@ struct Sample {
 
 /// Whether the integrand is symmetric about the plane of incidence, so that half a turn is enough.
 inline bool mirror_symmetric(const Lobe& lobe, const Direction& l) {
-  return lobe.width_x == lobe.width_y || l.sin_theta == 0 || l.sin_phi == 0 || l.cos_phi == 0;
+  const auto [narrow, wide] = lobe.widths();
+  return narrow == wide || l.sin_theta == 0 || l.sin_phi == 0 || l.cos_phi == 0;
 }
 
 template <class T>

@@ -35,12 +35,14 @@ class Directions {
   /// V within a few widths of a lobe around L's mirror image or of facets around N; may be below the horizon.
   UnitVector<Quad> near(const Lobe& lobe, const UnitVector<Quad>& l) {
     const Quad x = 4 * uniform() - 2, y = 4 * uniform() - 2;
-    if (lobe.shape == LobeShape::mirror) {
+    if (const auto* mirror = lobe.as<MirrorLobe>()) {
       UnitVector<Quad> v = lobe_axis(lobe, l);
-      v.x += lobe.width_x * x, v.y += lobe.width_y * y;
+      v.x += mirror->width * x, v.y += mirror->width * y;
       return normalised(v);
     }
-    const UnitVector<Quad> h = normalised({lobe.width_x * x, lobe.width_y * y, Quad(1)});
+    const double one = lobe.widths().narrow;
+    const SlopeLobe slopes = lobe.is<SlopeLobe>() ? lobe.slopes() : SlopeLobe{Profile::gaussian, one, one};
+    const UnitVector<Quad> h = normalised({slopes.width_x * x, slopes.width_y * y, Quad(1)});
     const Quad twice = 2 * (l.x * h.x + l.y * h.y + l.z * h.z);
     return {twice * h.x - l.x, twice * h.y - l.y, twice * h.z - l.z};
   }
@@ -60,7 +62,7 @@ void for_random_pairs(const Model& model, int count, const Check& check) {
   for (const Lobe& lobe : model.lobes()) {
     for (int i = 0; i < count; ++i) {
       const auto l = unit_vector<Quad>(directions(0.1));
-      const bool anywhere = i % 2 == 0 || lobe.shape == LobeShape::cosine;
+      const bool anywhere = i % 2 == 0 || lobe.is<CosineLobe>();
       const auto v = anywhere ? unit_vector<Quad>(directions(0.1)) : directions.near(lobe, l);
       if (v.z < 0.05) continue;
       const DirectionPair<Quad> pair = direction_pair(l, v, lobe_axis(lobe, l));

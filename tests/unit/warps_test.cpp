@@ -69,8 +69,7 @@ std::vector<Setting> mirror_settings() {
       {"n 20", mirror_lobe(0, 20)},
       {"n 1e6", mirror_lobe(0, 1e6)},
       {"max of cosines", with(mirror_lobe(0, 20), [](Lobe& lobe) { lobe.kink_equal_cosines = true; })},
-      {"off-specular",
-       with(mirror_lobe(0, 5), [](Lobe& lobe) { lobe.axis_x = -1, lobe.axis_y = -0.8, lobe.axis_z = 0.5; })},
+      {"off-specular", mirror_lobe(0, 5, {-1, -0.8, 0.5})},
   });
 }
 
@@ -81,7 +80,7 @@ std::vector<Setting> hemisphere_settings() {
 
 std::vector<Setting> near_mirror_settings() {
   const auto lobe = [](double width, double facets) {
-    return Lobe{.shape = LobeShape::near_mirror, .width_x = width, .width_y = width, .facet_width = facets};
+    return Lobe{.shape = NearMirrorLobe{.width = width, .facet_width = facets}};
   };
   return settings({{"wide", lobe(2, 1)}, {"diffraction", lobe(0.05, 0.01)}, {"facets", lobe(1e-3, 1e-3)}});
 }
@@ -217,7 +216,7 @@ TEST(NearMirrorWarp, WeightIsTheJacobian) {
 }
 TEST(HemisphereWarp, WeightIsTheJacobian) {
   check_jacobian<HemisphereWarp>(hemisphere_settings(), [](const Setting& s) {
-    return s.lobe.shape == LobeShape::cosine || mirror_symmetric(s.lobe, s.l) ? 2 : 1;
+    return s.lobe.is<CosineLobe>() || mirror_symmetric(s.lobe, s.l) ? 2 : 1;
   });
 }
 

@@ -58,7 +58,7 @@ double peak_radiance(const Model& model, double cos_theta, double phi_degrees) {
   for (int i = 1 - even; i < even; ++i) look(90.0 * i / even);
   look(theta);
   for (const Lobe& lobe : model.lobes()) {
-    const double width = 2 * std::max(lobe.width_x, lobe.width_y) * 180 / std::numbers::pi;  // of V about the mirror
+    const double width = 2 * lobe.widths().wide * 180 / std::numbers::pi;  // of V about the mirror
     for (int i = -near; i <= near; ++i) look(theta + std::min(width, 45.0) * i / 4);
   }
   constexpr double between = 1.01;  // of neighbours of such a grid, at a peak

@@ -9,8 +9,8 @@
 namespace albedo::analysis {
 
 AlbedoOptions plan_albedo_options(const Model& model, double tolerance) {
-  const auto is_table = [](const Lobe& lobe) { return lobe.shape == LobeShape::half_angles; };
-  if (std::ranges::any_of(model.lobes(), is_table)) return {.rule = Rule::cubature, .tolerance = tolerance / 10};
+  if (std::ranges::any_of(model.lobes(), &Lobe::is<HalfAnglesLobe>))
+    return {.rule = Rule::cubature, .tolerance = tolerance / 10};
   return {.tolerance = tolerance / 1000};
 }
 

@@ -58,10 +58,7 @@ struct HeTorrance {
     const double width = std::hypot(roughness(), wavelength / (2 * pi<double> * tau));
     const Lobe directional{.component = 0,
                            .weight = part == Part::specular ? 0 : k_s,
-                           .shape = LobeShape::near_mirror,
-                           .width_x = width,
-                           .width_y = width,
-                           .facet_width = roughness()};
+                           .shape = NearMirrorLobe{.width = width, .facet_width = roughness()}};
     return {directional, {.component = 1, .weight = part == Part::total ? k_d : 0}};
   }
 

@@ -36,8 +36,7 @@ struct Lafortune {
 
   [[nodiscard]] Claims claims() const { return {.conserves_energy = rho <= 1, .isotropic = c_x == c_y}; }
   [[nodiscard]] std::vector<Lobe> lobes() const {
-    Lobe lobe = mirror_lobe(0, n);
-    lobe.axis_x = c_x, lobe.axis_y = c_y, lobe.axis_z = c_z;
+    Lobe lobe = mirror_lobe(0, n, {c_x, c_y, c_z});
     lobe.weight = largest() > 0 ? rho : 0;
     return {lobe};
   }

@@ -68,7 +68,7 @@ struct Measured {
   [[nodiscard]] Claims claims() const {
     return {.reciprocal = table && table->reciprocal(), .conserves_energy = false};
   }
-  [[nodiscard]] std::vector<Lobe> lobes() const { return {{.shape = LobeShape::half_angles}}; }
+  [[nodiscard]] std::vector<Lobe> lobes() const { return {{.shape = HalfAnglesLobe{}}}; }
 
   template <class T>
   T evaluate(int /*component*/, const DirectionPair<T>& d) const noexcept {
