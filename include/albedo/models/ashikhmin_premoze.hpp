@@ -15,7 +15,7 @@ namespace albedo {
 /// a(L) ≤ ∫ D (L·H)₊ = N·L (1 + Λ(L)), which is at most max(1, m/(2√π)), and a(90°) = m/(2√π).
 struct AshikhminPremoze {
   double m = 0.3;
-  Fresnel fresnel;
+  Fresnel fresnel{};
 
   static ModelInfo info() {
     return {.name = "ashikhmin_premoze",

@@ -18,7 +18,7 @@ struct CookTorrance {
   double m = 0.1;
   Masking masking = Masking::v_cavity;
   double k_s = 1, k_d = 0;
-  Fresnel fresnel;
+  Fresnel fresnel{};
 
   static ModelInfo info() {
     return {.name = "cook_torrance",

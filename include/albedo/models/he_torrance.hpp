@@ -29,7 +29,7 @@ struct HeTorrance {
   double sigma0 = 0.1, tau = 1.7, wavelength = 0.5;
   Part part = Part::total;
   double k_s = 1, k_d = 0;
-  Fresnel fresnel;
+  Fresnel fresnel{};
 
   static ModelInfo info() {
     return {.name = "he_torrance",

@@ -21,7 +21,7 @@ struct Kurt {
   double exponent = 0;
   Equation equation = Equation::eq_10;
   double k_s = 1, k_d = 0;
-  Fresnel fresnel;
+  Fresnel fresnel{};
 
   static ModelInfo info() {
     return {.name = "kurt",

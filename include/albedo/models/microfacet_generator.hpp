@@ -24,7 +24,7 @@ struct MicrofacetGenerator {
 
   double alpha = 0.3;
   Distribution distribution = Distribution::ggx;
-  Fresnel fresnel;
+  Fresnel fresnel{};
   std::optional<PowerArea> power_area{};  ///< of a power distribution, set by load()
 
   static ModelInfo info() {

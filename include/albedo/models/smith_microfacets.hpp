@@ -18,7 +18,7 @@ template <class Facets>
 struct SmithMicrofacets {
   double alpha_x = 0.3, alpha_y = 0.3;
   SmithMasking masking = SmithMasking::correlated;
-  Fresnel fresnel;
+  Fresnel fresnel{};
 
   static ModelInfo info() { return Facets::info(); }
   static std::vector<Parameter<SmithMicrofacets>> parameters() {
