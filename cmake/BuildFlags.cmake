@@ -4,8 +4,8 @@
 #
 # The models are templates in public headers, and blocks of the machine's vectors pass between a user's code and the library. So these
 # flags are a public property of the target, when installed too: the linker may keep a user's copy of a formula in place of the
-# library's, and how a block is passed follows the instruction set. A native build serves the machine it was built on; packages turn
-# ALBEDO_NATIVE off.
+# library's, and how a block is passed follows the instruction set: code for another one doesn't link (core/instruction_set.hpp).
+# A native build serves the machine it was built on; packages turn ALBEDO_NATIVE off.
 #   -ffp-contract=off   a formula rounds the same wherever the compiler inlines it (a block's own exp and log ask for fused operations
 #                       by name and keep them)
 #   -fno-math-errno     sqrt becomes one instruction; no value changes
