@@ -8,7 +8,7 @@ packages_build=(g++ cmake ninja-build libeigen3-dev libboost-dev librandom123-de
   libcli11-dev nlohmann-json3-dev libopenexr-dev libpng-dev libpugixml-dev
   libfmt-dev libgnuplot-iostream-dev libboost-iostreams-dev libboost-system-dev libboost-filesystem-dev
   gnuplot-nox fonts-dejavu-core)
-packages_check=(poppler-utils glslang-tools libgtest-dev clang-format doxygen libbenchmark-dev libcubature-dev libgsl-dev
+packages_check=(python3 poppler-utils glslang-tools libgtest-dev clang-format doxygen libbenchmark-dev libcubature-dev libgsl-dev
   libopenmpi-dev openmpi-bin)
 packages_clang=(clang clang-tidy libomp-dev)
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/commands/options.hpp"
 #include "analysis/files/table_document.hpp"
 
 namespace albedo::analysis {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/files/table_document.hpp"
-
 namespace albedo::analysis {
 namespace {
 
@@ -34,7 +32,7 @@ void append_json(std::string& text, const Json& value) {
       break;
     case Json::value_t::number_float:
       if (std::isfinite(value.get<double>())) {
-        append_number(text, value.get<double>());
+        text += number_text(value.get<double>());
       } else {
         text += "null";
       }
