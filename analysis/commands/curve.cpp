@@ -110,7 +110,7 @@ void write_csv(const Json& provenance, const std::vector<ChannelCurve>& curves, 
 
 /// The nodes as a table over cosθ, for the formats that hold nothing else.
 void write_nodes(const Json& provenance, const AlbedoCurve& curve, const std::string& path) {
-  Axis axis{.name = "cos_theta"};
+  TableAxis axis{.name = "cos_theta"};
   std::vector<double> values, errors;
   for (const auto& [cos_theta, estimate] : curve.nodes()) {
     axis.values.push_back(cos_theta);

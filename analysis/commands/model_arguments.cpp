@@ -1,52 +1,25 @@
 #include "analysis/commands/model_arguments.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
-#include "albedo/combinators/coupled.hpp"
-#include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
 #include "analysis/commands/checks.hpp"
 #include "analysis/commands/option_kinds.hpp"
 #include "analysis/text/text.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
 
-/// One model as it is written.
-struct Written {
-  std::string model;
-  std::vector<Assignment> assignments{};
-  double weight = 1;
-
-  /// Its choice of a channel, if it has one that isn't given; nullptr otherwise.
-  [[nodiscard]] const ParameterInfo* open_channel() const {
-    const ParameterInfo* channel = model_info(model).channel();
-    const auto is_channel = [&](const Assignment& a) { return channel != nullptr && a.name == channel->name; };
-    return std::ranges::any_of(assignments, is_channel) ? nullptr : channel;
-  }
-};
-
-/// "NAME is set twice" where two of the assignments set the same parameter.
-std::unique_ptr<Model> make_written(const Written& written, const std::string& channel) {
-  const auto& [model, assignments, weight] = written;
-  const ModelInfo& info = model_info(model);
-  Parameters values;
-  std::vector<std::string> names;
-  for (const Assignment& assignment : assignments) {
-    values.push_back(parameter_of(info, assignment));
-    names.push_back(assignment.name);
-  }
-  const ParameterInfo* open = written.open_channel();
-  if (open != nullptr && !channel.empty()) values.emplace_back(open->name, channel);
-  std::unique_ptr<Model> made = make_model(model, values);
-  check_set_once(info, names);
-  return made;
+/// A parameter whose '=' comes before any ':', and not a part.
+bool is_assignment(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  return equals != std::string::npos && equals < text.find(':');
 }
 
 /// MODEL[:NAME=VALUE[,NAME=VALUE]...], one of the names may be `weight`.
-Written part_of(const std::string& combination, const std::string& text) {
+ModelPart part_of(const std::string& combination, const std::string& text) {
   const std::size_t colon = text.find(':');
   const std::string model = text.substr(0, colon);
   if (model.empty() || model.find('=') != std::string::npos) {
@@ -55,14 +28,14 @@ Written part_of(const std::string& combination, const std::string& text) {
   if (is_combination(model)) {
     throw ParameterError(combination + ": '" + text + "' is not a model of its own and can't be a part");
   }
-  Written part{.model = model};
+  ModelPart part{.model = model};
   bool weighted = false;
   for (std::size_t begin = colon; begin != std::string::npos;) {
     const std::size_t end = text.find(',', begin + 1);
     const Assignment assignment = parse_assignment(std::string_view(text).substr(begin + 1, end - begin - 1));
     begin = end;
     if (assignment.name != "weight") {
-      part.assignments.push_back(assignment);
+      part.parameters.push_back(parameter_of(model_info(model), assignment));
       continue;
     }
     if (combination != sum_name)
@@ -74,19 +47,11 @@ Written part_of(const std::string& combination, const std::string& text) {
   return part;
 }
 
-/// What is behind the name of a combination.
-struct Combination {
-  std::vector<Written> parts;
-  double r_m = 1;  ///< of `coupled`
-};
-
-Combination combination_of(const std::string& name, const std::vector<std::string>& texts) {
-  Combination combination;
+Composition combination_of(const std::string& name, const std::vector<std::string>& texts) {
+  Composition combination{.name = name};
   bool has_r_m = false;
   for (const std::string& text : texts) {
-    const std::size_t equals = text.find('='), colon = text.find(':');
-    const bool is_parameter = equals != std::string::npos && equals < colon;
-    if (name != coupled_name || !is_parameter) {
+    if (name != coupled_name || !is_assignment(text)) {
       combination.parts.push_back(part_of(name, text));
       continue;
     }
@@ -104,19 +69,9 @@ Combination combination_of(const std::string& name, const std::vector<std::strin
                                           : "coupled has no surface; give one, such as ggx:alpha=0.2,f0=0.04");
   }
   if (name == coupled_name && combination.parts.size() > 1) {
-    throw ParameterError("coupled has " + std::to_string(combination.parts.size()) + " surfaces and must have one");
+    throw ParameterError(fmt::format("coupled has {} surfaces and must have one", combination.parts.size()));
   }
   return combination;
-}
-
-/// The model or combination, not corrected.
-std::unique_ptr<Model> make_plain(const ModelArguments& given, const std::string& channel) {
-  if (!is_combination(given.model)) return make_written({given.model, given.assignments()}, channel);
-  const Combination combination = combination_of(given.model, given.parameters);
-  if (given.model == coupled_name) return coupled(make_written(combination.parts.front(), channel), combination.r_m);
-  std::vector<SumModel::Part> parts;
-  for (const Written& part : combination.parts) parts.push_back({part.weight, make_written(part, channel)});
-  return std::make_unique<SumModel>(std::move(parts));
 }
 
 }  // namespace
@@ -128,25 +83,40 @@ std::vector<Assignment> ModelArguments::assignments() const {
   return result;
 }
 
-bool is_combination(const std::string& name) { return name == sum_name || name == coupled_name; }
-
-std::vector<std::string> ModelArguments::channels() const {
-  std::vector<Written> written;
-  if (is_combination(model)) {
-    written = combination_of(model, parameters).parts;
-  } else {
-    // Not within the braces: GCC 12 destroys the string twice if this throws there.
-    std::vector<Assignment> own = assignments();
-    written.push_back({model, std::move(own)});
+Composition ModelArguments::composition() const {
+  if (is_combination(model)) return combination_of(model, parameters);
+  ModelPart part{.model = model};
+  for (const Assignment& assignment : assignments()) {
+    part.parameters.push_back(parameter_of(model_info(model), assignment));
   }
-  for (const Written& one : written) {
-    if (const ParameterInfo* channel = one.open_channel()) return channel->choices;
-  }
-  return {""};
+  static_cast<void>(model_info(model));
+  return {.name = model, .parts = {std::move(part)}};
 }
 
+std::pair<Composition, std::vector<Assignment>> ModelArguments::varied_composition() const {
+  if (!is_combination(model)) {
+    std::vector<Assignment> all = assignments();
+    static_cast<void>(model_info(model));
+    return {{.name = model, .parts = {{.model = model}}}, std::move(all)};
+  }
+  std::vector<std::string> parts;
+  std::vector<Assignment> all;
+  for (const std::string& text : parameters) {
+    if (is_assignment(text)) {
+      all.push_back(parse_assignment(text));
+    } else {
+      parts.push_back(text);
+    }
+  }
+  return {combination_of(model, parts), std::move(all)};
+}
+
+std::vector<std::string> ModelArguments::channels() const { return composition().channels(); }
+
 std::unique_ptr<Model> ModelArguments::make(const std::string& channel) const {
-  return corrections.applied_to(make_plain(*this, channel));
+  Composition plain = composition();
+  if (!channel.empty()) plain.set_channel(channel);
+  return corrections.applied_to(plain.make_checked());
 }
 
 std::vector<ModelArguments> split_models(const std::vector<std::string>& words) {
@@ -211,17 +181,6 @@ std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& mod
     return {assignment.name, parse_number(model.name + ": " + assignment.name, assignment.text)};
   }
   return {assignment.name, 0.0};  // make_model refuses the name
-}
-
-void check_set_once(const ModelInfo& model, const std::vector<std::string>& names) {
-  std::map<std::string, std::string> setters;
-  for (const std::string& name : names) {
-    for (const std::string& parameter : model.resolve(name)) {
-      const auto [other, is_new] = setters.emplace(parameter, name);
-      if (is_new) continue;
-      throw ParameterError(model.name + ": " + parameter + " is set twice, by " + other->second + " and by " + name);
-    }
-  }
 }
 
 nlohmann::ordered_json model_json(const Model& model, bool several_channels) {

@@ -9,22 +9,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "albedo/core/model.hpp"
 #include "albedo/corrections.hpp"
 #include "analysis/commands/syntax.hpp"
+#include "analysis/subjects/composition.hpp"
 #include "analysis/text/assertion.hpp"
 #include "analysis/text/value.hpp"
 
 namespace albedo::analysis {
-
-/// The names that make a model of the parts behind them.
-inline constexpr const char* sum_name = "sum";
-inline constexpr const char* coupled_name = "coupled";
-
-/// Whether a name is one of these.
-bool is_combination(const std::string& name);
 
 /// The positional arguments, as written.
 struct ModelArguments {
@@ -34,6 +29,11 @@ struct ModelArguments {
 
   /// @throws ParameterError if there is no model, or an argument is not NAME=VALUE
   [[nodiscard]] std::vector<Assignment> assignments() const;
+  /// @throws UnknownModel, ParameterError
+  [[nodiscard]] Composition composition() const;
+  /// What may vary apart: the parameters of a model, and what is given beside the parts of a combination.
+  /// @throws UnknownModel, ParameterError
+  [[nodiscard]] std::pair<Composition, std::vector<Assignment>> varied_composition() const;
   /// The colour channels to answer for: one that has no name, or all of a measured model whose channel isn't given.
   /// @throws UnknownModel, ParameterError
   [[nodiscard]] std::vector<std::string> channels() const;
@@ -64,9 +64,6 @@ std::vector<OptionSyntax> add_pump_kind(const Syntax& command, PumpOptions& opti
 /// The value of a model's parameter: a number taken strictly, or the name of a choice. Whether the model has such a
 /// parameter, and its range, is make_model's to say.
 std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment);
-
-/// @throws ParameterError if two of the names set the same parameter, such as alpha and alpha_x
-void check_set_once(const ModelInfo& model, const std::vector<std::string>& names);
 
 /// {"model": "ward", "parameters": {...}}; without the channel where there are several.
 nlohmann::ordered_json model_json(const Model& model, bool several_channels);

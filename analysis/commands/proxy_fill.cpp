@@ -21,50 +21,35 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A table filled from a proxy.
-class ProxyTable {
- public:
-  ProxyTable(const AlbedoProxy& proxy, const ProxyEntries& entries, const std::vector<TableAxis>& axes, int threads)
-      : values_(proxy.fill(axes, threads)), evaluations_(proxy.evaluations()) {
-    // where the tolerance is missed, no entry is known to meet it
-    if (!proxy.is_reached()) unconverged_ = values_.size();
-    double largest = 0;
-    for (const double value : values_) keep_larger(largest, std::abs(value));
-    worst_error_ = proxy.error() * std::max(proxy.largest(), largest);
-    bool is_series = true;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      is_series = is_series && (proxy.is_series(i) || axes[i].values.size() == 1);
-    }
-    interpolation_error_ = albedo::interpolation_error(axes, values_, [&](const std::vector<TableAxis>& over) {
-      std::vector<double> place;
-      for (const TableAxis& axis : over) place.push_back(axis.values.front());
-      if (is_series) return std::vector{proxy(place)};
-      const ProxySamples sample = entries(place);  // between entries there is nothing but integration
-      evaluations_ += sample.evaluations;
-      return sample.values;
-    });
-  }
-
-  [[nodiscard]] std::vector<double> values() && { return std::move(values_); }
-  [[nodiscard]] const std::vector<double>& values() const& { return values_; }
-  [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
-  [[nodiscard]] double worst_error() const { return worst_error_; }
-  [[nodiscard]] double interpolation_error() const { return interpolation_error_; }
-  [[nodiscard]] std::size_t unconverged() const { return unconverged_; }
-  [[nodiscard]] std::size_t divergent() const { return 0; }
-  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-
- private:
-  std::vector<double> values_, errors_;
-  double worst_error_ = 0, interpolation_error_ = 0;
-  std::size_t unconverged_ = 0;
-  std::int64_t evaluations_;
-};
+FilledTable filled_from(const AlbedoProxy& proxy, const ProxyEntries& entries, const TableRequest& request,
+                        int threads) {
+  const std::vector<TableAxis>& axes = request.axes;
+  FilledTable table{.axes = request.document_axes(), .values = proxy.fill(axes, threads)};
+  table.entries = table.values.size();
+  // where the tolerance is missed, no entry is known to meet it
+  if (!proxy.is_reached()) table.tally.unconverged = table.entries;
+  double largest = 0;
+  for (const double value : table.values) keep_larger(largest, std::abs(value));
+  table.tally.worst_error = proxy.error() * std::max(proxy.largest(), largest);
+  table.tally.evaluations = proxy.evaluations();
+  bool is_series = true;
+  for (std::size_t i = 0; i < axes.size(); ++i) is_series = is_series && (proxy.is_series(i) || axes[i].size() == 1);
+  table.interpolation_error = interpolation_error(axes, table.values, [&](const std::vector<TableAxis>& over) {
+    std::vector<double> place;
+    for (const TableAxis& axis : over) place.push_back(axis.values.front());
+    if (is_series) return std::vector{proxy(place)};
+    const ProxySamples sample = entries(place);  // between entries there is nothing but integration
+    table.tally.evaluations += sample.evaluations;
+    return sample.values;
+  });
+  return table;
+}
 
 /// Integrates at any places within the axes, in parallel.
 class Integrations {
  public:
-  Integrations(const TableRequest& request, const TableOptions& options)
-      : source_(request.model, request.fixed, box(request.axes), options),
+  Integrations(const TableRequest& request, const Corrections& corrections, const TableOptions& options)
+      : source_(request.models(corrections), box(request.axes), options),
         progress_(options.progress),
         dimensions_(request.axes.size()) {}
 
@@ -148,11 +133,11 @@ TileFill proxy_entries(std::shared_ptr<const AlbedoProxy> proxy, const TableRequ
       return TableTally{};
     };
   };
-  const auto complete = [proxy, &request](Known& known, Json& provenance) {
+  const auto complete = [proxy, &request](FilledTable& table, Json& provenance) {
     provenance["proxy"] = describe(*proxy, request);
-    known.worst_error = proxy->error() * proxy->largest();
-    known.evaluations += proxy->evaluations();
-    if (!proxy->is_reached()) known.unconverged = known.entries;
+    table.tally.worst_error = proxy->error() * proxy->largest();
+    table.tally.evaluations += proxy->evaluations();
+    if (!proxy->is_reached()) table.tally.unconverged = table.entries;
   };
   return {.entries = {.axes = request.axes, .threads = threads, .make_worker = make_worker},
           .tile = std::size_t{1} << 18U,  // there is little to lose, and the disk takes longer than the entries
@@ -167,7 +152,7 @@ int fill_from_proxy(const TableArguments& arguments, const TableRequest& request
   constexpr double share = 20;  // of the tolerance
   const double tolerance = arguments.options.tolerance.value_or(ProxyOptions{}.tolerance);
   options.albedo.tolerance = is_monte_carlo(options.albedo.rule) ? tolerance : std::max(tolerance / share, 1e-13);
-  const Integrations integrations(request, options);
+  const Integrations integrations(request, arguments.model.corrections, options);
   const ProxyEntries entries = std::cref(integrations);
   if (in_tiles) {
     options.verified_cells = TableOptions{}.verified_cells;
@@ -178,10 +163,9 @@ int fill_from_proxy(const TableArguments& arguments, const TableRequest& request
     return run_tiled(arguments, request, options, make_fill, std::move(provenance), seconds);
   }
   const AlbedoProxy proxy = proxy_of(arguments, request, entries);
-  ProxyTable table(proxy, entries, request.axes, arguments.options.threads);
+  FilledTable table = filled_from(proxy, entries, request, arguments.options.threads);
   provenance["proxy"] = describe(proxy, request);
-  return judged(proxy, conclude(arguments, Filled(request.document_axes(), std::move(table)), 0, std::move(provenance),
-                                seconds()));
+  return judged(proxy, conclude(arguments, std::move(table), 0, std::move(provenance), seconds()));
 }
 
 }  // namespace albedo::analysis

@@ -10,6 +10,7 @@
 #include "analysis/commands/table_request.hpp"
 #include "analysis/files/provenance.hpp"
 #include "analysis/text/text.hpp"
+#include "core/text.hpp"
 #include "numerics/larger.hpp"
 
 namespace albedo::analysis {
@@ -26,17 +27,13 @@ struct Arguments {
 };
 
 /// Every combination of the axes' values, the last axis fastest.
-std::vector<Parameters> places_of(const TableRequest& request, const std::vector<TableAxis>& axes) {
-  std::vector<Parameters> places{request.fixed};
-  for (const TableAxis& axis : axes) {
-    std::vector<Parameters> more;
-    for (const Parameters& place : places) {
-      for (const double value : axis.values) {
-        more.push_back(place);
-        more.back().emplace_back(axis.name, value);
-      }
+std::vector<std::vector<double>> places_of(const std::vector<TableAxis>& axes) {
+  std::vector<std::vector<double>> places(entry_count(axes), std::vector<double>(axes.size()));
+  for (std::size_t entry = 0; entry < places.size(); ++entry) {
+    std::size_t rest = entry;
+    for (std::size_t i = axes.size(); i-- > 0; rest /= axes[i].size()) {
+      places[entry][i] = axes[i].number(rest % axes[i].size());
     }
-    places = std::move(more);
   }
   return places;
 }
@@ -58,27 +55,27 @@ int run(const Arguments& arguments, const std::string& command_line) {
     throw ParameterError("--json and --output - would both use standard output");
   }
   const TableRequest request = parse_table_request(arguments.model);
-  if (request.channels.size() > 1) {
-    throw ParameterError(request.model + ": there are several channels; channel=" + request.channels.front() +
-                         " is one of them");
+  if (request.is_by_channel()) {
+    throw ParameterError(fmt::format("{}: there are several channels; channel={} is one of them", request.model.name,
+                                     request.channels.front()));
   }
   const std::vector<TableAxis> axes = parameter_axes(arguments.model, request);
 
-  Axis names{.name = "function"};
-  for (const auto& [name, value] :
-       shader_functions(make_model(request.model, places_of(request, axes).front()), arguments.model.corrections)) {
+  const auto make = request.plain_models();
+  const std::vector<std::vector<double>> places = places_of(axes);
+  TableAxis names{.name = "function"};
+  for (const auto& [name, value] : shader_functions(make(places.front()), arguments.model.corrections)) {
     names.labels.push_back(name);
   }
-  std::vector<Axis> document{names};
-  for (const TableAxis& axis : axes) document.push_back(document_axis(axis));
+  std::vector<TableAxis> document{names};
+  document.insert(document.end(), axes.begin(), axes.end());
   document.push_back({.name = "cos_theta", .values = {0, 1}});
   check_table_path(arguments.output, document);
 
-  const std::vector<Parameters> places = places_of(request, axes);
   std::vector<std::vector<ShaderFunction>> functions;
   std::size_t size = arguments.resolution;
-  for (const Parameters& place : places) {
-    functions.push_back(shader_functions(make_model(request.model, place), arguments.model.corrections));
+  for (const std::vector<double>& place : places) {
+    functions.push_back(shader_functions(make(place), arguments.model.corrections));
     if (arguments.resolution == 0) size = std::max(size, tabulate(functions.back(), 0, arguments.error).size);
   }
   std::vector<double> values(names.size() * places.size() * size);
@@ -95,13 +92,13 @@ int run(const Arguments& arguments, const std::string& command_line) {
   for (std::size_t i = 0; i < size; ++i) document.back().values.push_back(shader_node(i, size));
 
   Json provenance = begin_provenance(command_line);
-  provenance["model"] = request.model;
+  provenance["model"] = request.model.name;
   provenance["parameters"] = parameters_json(request.fixed_parameters());
   provenance["corrections"] = corrections_json(arguments.model.corrections);
   provenance["axes"] = describe_axes(document);
   provenance["interpolated"] = "linearly in sqrt(cos_theta)";
   provenance["interpolation_error"] = error;
-  write_table({.name = request.model + "_shader",
+  write_table({.name = request.model.name + "_shader",
                .quantity = "factor",
                .axes = document,
                .values = values.data(),

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/table_growth.hpp"
@@ -15,45 +16,17 @@
 #include "analysis/files/provenance.hpp"
 #include "analysis/subjects/material_table.hpp"
 #include "analysis/text/progress.hpp"
-#include "numerics/larger.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Tables of the same axes, one after the other.
-class StackedTables {
- public:
-  void add(const AlbedoTable& table) {
-    values_.insert(values_.end(), table.values().begin(), table.values().end());
-    errors_.insert(errors_.end(), table.errors().begin(), table.errors().end());
-    keep_larger(worst_error_, table.worst_error());
-    interpolation_error_ = std::max(interpolation_error_, table.interpolation_error());
-    unconverged_ += table.unconverged();
-    divergent_ += table.divergent();
-    evaluations_ += table.evaluations();
-  }
-
-  [[nodiscard]] const std::vector<double>& values() const { return values_; }
-  [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
-  [[nodiscard]] double worst_error() const { return worst_error_; }
-  [[nodiscard]] double interpolation_error() const { return interpolation_error_; }
-  [[nodiscard]] std::size_t unconverged() const { return unconverged_; }
-  [[nodiscard]] std::size_t divergent() const { return divergent_; }
-  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-
- private:
-  std::vector<double> values_, errors_;
-  double worst_error_ = 0, interpolation_error_ = 0;
-  std::size_t unconverged_ = 0, divergent_ = 0;
-  std::int64_t evaluations_ = 0;
-};
-
 /// at(θ,φ) has one answer only if the direction is all that the table varies.
-void check_at(const std::vector<Assertion>& assertions, const std::vector<Axis>& axes, double phi) {
-  const auto is_single = [](const Axis& axis) { return axis.is_categorical() && axis.size() == 1; };
-  const Axis& directions = axes.back();
+void check_at(const std::vector<Assertion>& assertions, const std::vector<TableAxis>& axes, double phi) {
+  const auto is_single = [](const TableAxis& axis) { return axis.is_categorical() && axis.size() == 1; };
+  const TableAxis& directions = axes.back();
   const bool is_direction = directions.name == "theta" || directions.name == "cos_theta";
   const bool varies_more = !std::all_of(axes.begin(), axes.end() - 1, is_single);
   check_answerable(
@@ -77,13 +50,13 @@ double grow(const TableArguments& arguments, std::vector<TableAxis>& axes, const
 
 int parse_bits(const std::string& text) {
   for (const int bits : {8, 10, 16, 32}) {
-    if (text == std::to_string(bits)) return bits;
+    if (text == fmt::format("{}", bits)) return bits;
   }
   throw ParameterError("--bits is '" + text + "' and must be one of 8, 10, 16, 32");
 }
 
 /// Everything that can be refused before the work begins.
-void check_before(const TableArguments& arguments, const std::vector<Axis>& axes, double phi) {
+void check_before(const TableArguments& arguments, const std::vector<TableAxis>& axes, double phi) {
   check_at(arguments.assertions, axes, phi);
   check_table_path(arguments.output, axes);
 }
@@ -96,6 +69,69 @@ void check_fill(const TableArguments& arguments) {
   if (arguments.growth.max_error > 0) throw ParameterError("--fill proxy and --max-error exclude each other");
 }
 
+void check_proxy(const TableRequest& request) {
+  if (request.is_by_channel()) {
+    throw ParameterError("--fill proxy is of one channel: give channel=" + request.channels.front());
+  }
+  for (const TableAxis& axis : request.axes) {
+    if (!axis.is_categorical()) continue;
+    throw ParameterError(
+        fmt::format("--fill proxy interpolates between numbers, and the axis '{}' holds names: give "
+                    "one of them, such as {}={}",
+                    axis.name, axis.name, axis.labels.front()));
+  }
+}
+
+int fill_materials(const TableArguments& arguments, TableOptions options, const TableOptions& quiet, Json provenance,
+                   const std::function<double()>& seconds) {
+  is_tiled(arguments, false);
+  const MaterialRequest request = parse_material_request(arguments.model);
+  MaterialModels models(read_materials(arguments.materials), arguments.materials);
+  std::vector<TableAxis> axes = models.axes();
+  axes.push_back(request.directions);
+  check_before(arguments, axes, request.phi);
+  const Corrections& corrections = arguments.model.corrections;
+  if (corrections.any()) {
+    models.correct([&](std::unique_ptr<Model> model) { return corrections.applied_to(std::move(model)); },
+                   options.threads);
+  }
+  const double grown_error = grow(arguments, axes, [&](const std::vector<TableAxis>& over) {
+    return AlbedoTable(models.source(over.back(), request.phi, quiet)).values();
+  });
+  const auto most = static_cast<std::size_t>(std::exchange(options.verified_cells, 0));
+  const TableSource source = models.source(axes.back(), request.phi, options);
+  FilledTable table = filled(axes, AlbedoTable(source));
+  const auto value = [&](std::size_t entry) { return table.values[entry]; };
+  table.interpolation_error = source.interpolation(value, material_cells(source, most)).error;
+  table.worst_entry.reset();
+  provenance["materials"] = arguments.materials;
+  provenance["phi_deg"] = request.phi;
+  return conclude(arguments, std::move(table), grown_error, std::move(provenance), seconds());
+}
+
+int fill_models(const TableArguments& arguments, const TableOptions& options, TableOptions quiet, Json provenance,
+                const std::function<double()>& seconds) {
+  TableRequest request = parse_table_request(arguments.model);
+  check_before(arguments, request.document_axes(), request.phi());
+  provenance["model"] = request.model.name;
+  provenance["parameters"] = parameters_json(request.fixed_parameters());
+  for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
+  const bool in_tiles = is_tiled(arguments, request.is_by_channel());
+  if (arguments.fill == Fill::proxy) {
+    check_proxy(request);
+    quiet.progress = options.progress;
+    return fill_from_proxy(arguments, request, quiet, in_tiles, std::move(provenance), seconds);
+  }
+  if (in_tiles) return run_tiled(arguments, request, options, integrated_entries, std::move(provenance), seconds);
+  const TableModels models = request.models(arguments.model.corrections);
+  const double grown_error = grow(arguments, request.axes, [&](const std::vector<TableAxis>& over) {
+    return AlbedoTable(TableSource(models, over, quiet)).values();
+  });
+  FilledTable table = filled(request.document_axes(), AlbedoTable(TableSource(models, request.axes, options)));
+  if (request.is_by_channel()) table.worst_entry.reset();
+  return conclude(arguments, std::move(table), grown_error, std::move(provenance), seconds());
+}
+
 int run(const TableArguments& arguments, const std::string& command_line) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -105,78 +141,16 @@ int run(const TableArguments& arguments, const std::string& command_line) {
   }
   check_fill(arguments);
   ProgressBar progress;
-  TableOptions options{.albedo = arguments.options.albedo(),
-                       .threads = arguments.options.threads,
-                       .keep_errors = arguments.errors,
-                       .progress = [&progress](std::size_t done, std::size_t total) { progress.update(done, total); }};
-  const Corrections& corrections = arguments.model.corrections;
-  if (corrections.any()) {
-    options.correction = [&](std::unique_ptr<Model> model) { return corrections.applied_to(std::move(model)); };
-  }
+  const TableOptions options{
+      .albedo = arguments.options.albedo(),
+      .threads = arguments.options.threads,
+      .keep_errors = arguments.errors,
+      .progress = [&progress](std::size_t done, std::size_t total) { progress.update(done, total); }};
   TableOptions quiet = options;
   quiet.keep_errors = false, quiet.verified_cells = 0, quiet.progress = nullptr;
   Json provenance = begin_provenance(command_line);
-
-  if (!arguments.materials.empty()) {
-    is_tiled(arguments, false);
-    MaterialRequest request = parse_material_request(arguments.model);
-    const std::vector<Material> materials = read_materials(arguments.materials);
-    MaterialTable table(materials, arguments.materials);
-    std::vector<Axis> axes = table.label_axes();
-    axes.push_back(document_axis(request.directions));
-    check_before(arguments, axes, request.phi);
-    std::vector<TableAxis> directions{request.directions};
-    const double grown_error = grow(arguments, directions, [&](const std::vector<TableAxis>& over) {
-      MaterialTable trial(materials, arguments.materials);
-      trial.fill(over.front(), request.phi, quiet);
-      return trial.values();
-    });
-    axes.back() = document_axis(directions.front());
-    table.fill(directions.front(), request.phi, options);
-    provenance["materials"] = arguments.materials;
-    provenance["phi_deg"] = request.phi;
-    return conclude(arguments, Filled(axes, table), grown_error, std::move(provenance), seconds());
-  }
-
-  TableRequest request = parse_table_request(arguments.model);
-  std::vector<Axis> axes = request.document_axes();
-  const bool by_channel = request.channels.size() > 1;
-  if (by_channel) axes.insert(axes.begin(), Axis{.name = "channel", .labels = request.channels});
-  check_before(arguments, axes, request.phi());
-  provenance["model"] = request.model;
-  provenance["parameters"] = parameters_json(request.fixed_parameters());
-  for (const TableAxis& axis : request.fixed_directions()) provenance[axis.name] = axis.values.front();
-  const bool in_tiles = is_tiled(arguments, by_channel);
-  if (arguments.fill == Fill::proxy) {
-    if (by_channel) throw ParameterError("--fill proxy is of one channel: give channel=" + request.channels.front());
-    quiet.progress = options.progress;
-    return fill_from_proxy(arguments, request, quiet, in_tiles, std::move(provenance), seconds);
-  }
-  if (in_tiles) return run_tiled(arguments, request, options, integrated_entries, std::move(provenance), seconds);
-  const auto in_channel = [&](const std::string& channel) {
-    Parameters fixed = request.fixed;
-    if (by_channel) fixed.emplace_back(model_info(request.model).channel()->name, channel);
-    return fixed;
-  };
-  const double grown_error = grow(arguments, request.axes, [&](const std::vector<TableAxis>& over) {
-    std::vector<double> entries;
-    for (const std::string& channel : request.channels) {
-      const AlbedoTable trial(request.model, in_channel(channel), over, quiet);
-      entries.insert(entries.end(), trial.values().begin(), trial.values().end());
-    }
-    return entries;
-  });
-  axes = request.document_axes();
-  if (by_channel) axes.insert(axes.begin(), Axis{.name = "channel", .labels = request.channels});
-  if (!by_channel) {
-    const AlbedoTable table(request.model, request.fixed, request.axes, options);
-    return conclude(arguments, Filled(axes, table), grown_error, std::move(provenance), seconds());
-  }
-  StackedTables tables;
-  for (const std::string& channel : request.channels) {
-    tables.add(AlbedoTable(request.model, in_channel(channel), request.axes, options));
-  }
-  return conclude(arguments, Filled(axes, tables), grown_error, std::move(provenance), seconds());
+  if (arguments.materials.empty()) return fill_models(arguments, options, quiet, std::move(provenance), seconds);
+  return fill_materials(arguments, options, quiet, std::move(provenance), seconds);
 }
 
 }  // namespace

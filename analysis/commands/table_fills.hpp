@@ -20,8 +20,8 @@ bool is_tiled(const TableArguments& arguments, bool by_channel);
 struct TileFill {
   Entries entries;
   std::size_t tile = 0;  ///< entries that suit it; 0: as many as suit the table
-  std::function<void(Known& known, nlohmann::ordered_json& provenance)> complete{};  ///< adds what is known
-  std::function<int(int code)> judge{};                                              ///< may complain; the exit code
+  std::function<void(FilledTable& table, nlohmann::ordered_json& provenance)> complete{};  ///< adds what is known
+  std::function<int(int code)> judge{};  ///< may complain; the exit code
 };
 
 /// Made once the table is known to be valid; the source outlives what it returns.

@@ -9,9 +9,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "albedo/table.hpp"
 #include "albedo/table_growth.hpp"
 #include "analysis/commands/model_arguments.hpp"
 #include "analysis/commands/options.hpp"
@@ -37,58 +37,35 @@ struct TableArguments {
   std::vector<Assertion> assertions;
 };
 
-/// What is known of a table, wherever its entries are.
-struct Known {
-  std::vector<Axis> axes;
-  std::size_t entries;
-  double worst_error, interpolation_error;
-  std::optional<std::size_t> worst_entry;
-  std::size_t unconverged, divergent;
-  std::int64_t evaluations;
+/// A table, wherever its entries are.
+struct FilledTable {
+  std::vector<TableAxis> axes{};  ///< of the document
+  std::size_t entries = 0;
+  TableTally tally{.worst_error = 0};        ///< evaluations with those of the verification, where they are told
+  std::optional<std::size_t> worst_entry{};  ///< where it is told
+  double interpolation_error = 0;
+  std::vector<double> values{}, errors{};  ///< empty where they are in a file
 };
 
-/// What an AlbedoTable and a MaterialTable have in common, once filled. The entries stay where they are.
-struct Filled : Known {
-  std::vector<double> values;
-  const std::vector<double>& errors;
-
-  template <class Table>
-  Filled(std::vector<Axis> of_document, Table&& table)
-      : Known{.axes = std::move(of_document),
-              .entries = table.values().size(),
-              .worst_error = table.worst_error(),
-              .interpolation_error = table.interpolation_error(),
-              .worst_entry = worst_entry_of(table),
-              .unconverged = table.unconverged(),
-              .divergent = table.divergent(),
-              .evaluations = table.evaluations()},
-        values(std::forward<Table>(table).values()),
-        errors(table.errors()) {}
-
- private:
-  template <class Table>
-  static std::optional<std::size_t> worst_entry_of(const Table& table) {
-    if constexpr (requires { table.worst_entry(); }) return table.worst_entry();
-    return std::nullopt;
-  }
-};
+/// @param axes of the document
+[[nodiscard]] FilledTable filled(std::vector<TableAxis> axes, AlbedoTable table);
 
 using EntryAt = std::function<double(std::size_t entry)>;
 
 /// How the entries were computed, and what is known of them.
-void complete(nlohmann::ordered_json& provenance, const TableArguments& arguments, const Known& table);
+void complete(nlohmann::ordered_json& provenance, const TableArguments& arguments, const FilledTable& table);
 
 /// What is said of a table at the end.
-[[nodiscard]] nlohmann::ordered_json summary_of(const TableArguments& arguments, const Known& table,
+[[nodiscard]] nlohmann::ordered_json summary_of(const TableArguments& arguments, const FilledTable& table,
                                                 const nlohmann::ordered_json& provenance, double seconds);
 
 /// Says what was asked for of a table that is written, and returns the exit code.
-int report(const TableArguments& arguments, const Known& table, const EntryAt& value,
+int report(const TableArguments& arguments, const FilledTable& table, const EntryAt& value,
            const nlohmann::ordered_json& provenance, double seconds);
 
 /// Writes the table and says what was asked for.
 /// @param grown_error the largest error met between the entries of a table that has grown, as they are held
-int conclude(const TableArguments& arguments, Filled table, double grown_error, nlohmann::ordered_json provenance,
+int conclude(const TableArguments& arguments, FilledTable table, double grown_error, nlohmann::ordered_json provenance,
              double seconds);
 
 }  // namespace albedo::analysis

@@ -11,6 +11,7 @@
 #include "analysis/commands/table_fills.hpp"
 #include "analysis/files/ranks.hpp"
 #include "analysis/text/text.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -26,7 +27,7 @@ Json computation_of(const TableArguments& arguments, const TableRequest& request
   if (arguments.model.corrections.any()) computation["corrections"] = corrections_json(arguments.model.corrections);
   arguments.options.describe(computation);
   computation["budget"] = arguments.options.budget;
-  if (const Json files = checksums_of_files(model_info(request.model), request.fixed); !files.empty()) {
+  if (const Json files = request.checksums_of_files(); !files.empty()) {
     computation["files"] = files;
   }
   return computation;
@@ -62,7 +63,7 @@ bool is_tiled(const TableArguments& arguments, bool by_channel) {
   if (!arguments.log.empty()) refuse("--log is of");
   if (arguments.tile > 0) refuse("--tile is of");
   if (const Launch started = launch(); started.size > 1) {
-    refuse("the " + std::to_string(started.size) + " processes of " + started.variable + " can only share");
+    refuse(fmt::format("the {} processes of {} can only share", started.size, started.variable));
   }
   return result;
 }
@@ -77,7 +78,7 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
   std::optional<TiledTable> table;
   const auto open = [&] {
     if (ranks->is_first()) FillProgress::check(arguments.log);
-    source.emplace(request.model, request.fixed, request.axes, options);
+    source.emplace(request.models(arguments.model.corrections), request.axes, options);
     fill = make_fill(*source);
     table.emplace(fill.entries, request.document_axes(), arguments.output,
                   TilingOptions{.command = provenance["command"].get<std::string>(),
@@ -102,8 +103,8 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
   ranks->together([&] {
     if (!ranks->is_first()) return;
     progress.emplace(*claims, source->size(), arguments.log);
-    progress->note("begins: " + provenance["command"].get<std::string>() + " (" + std::to_string(ranks->size()) +
-                   " processes of " + std::to_string(source->threads()) + " threads)");
+    progress->note(fmt::format("begins: {} ({} processes of {} threads)", provenance["command"].get<std::string>(),
+                               ranks->size(), source->threads()));
   });
   ranks->together([&] { filled = table->fill(*claims); });
   if (progress) progress->stop();
@@ -118,28 +119,25 @@ int run_tiled(const TableArguments& arguments, const TableRequest& request, cons
     table->reopen();
     const EntryAt value = [&](std::size_t entry) { return table->value(entry); };
     const TableSource::Interpolation interpolation = source->interpolation(value);
-    const TableTally& tally = filled.tally;
-    Known known{.axes = request.document_axes(),
-                .entries = source->size(),
-                .worst_error = std::max(tally.worst_error, 0.0),
-                .interpolation_error = interpolation.error,
-                .worst_entry = tally.worst_entry,
-                .unconverged = tally.unconverged,
-                .divergent = tally.divergent,
-                .evaluations = tally.evaluations + interpolation.evaluations};
-    if (tally.worst_error < 0) known.worst_entry.reset();
-    if (fill.complete) fill.complete(known, provenance);
+    FilledTable whole{.axes = request.document_axes(),
+                      .entries = source->size(),
+                      .tally = filled.tally,
+                      .interpolation_error = interpolation.error};
+    if (whole.tally.worst_error >= 0) whole.worst_entry = whole.tally.worst_entry;
+    whole.tally.worst_error = std::max(whole.tally.worst_error, 0.0);
+    whole.tally.evaluations += interpolation.evaluations;
+    if (fill.complete) fill.complete(whole, provenance);
     provenance["command"] = table->command();
-    complete(provenance, arguments, known);
-    table->commit({.axes = known.axes, .provenance = provenance});
+    complete(provenance, arguments, whole);
+    table->commit({.axes = whole.axes, .provenance = provenance});
     notice.reset();
-    Json ended = summary_of(arguments, known, provenance, seconds());
+    Json ended = summary_of(arguments, whole, provenance, seconds());
     ended["tiles"] = {{"computed", filled.computed}, {"verified", filled.verified}, {"damaged", filled.damaged}};
     progress->note("ends: " + json_text(ended));
-    code = report(arguments, known, value, provenance, seconds());
+    code = report(arguments, whole, value, provenance, seconds());
     if (fill.judge) code = fill.judge(code);
   });
-  return std::stoi(ranks->gather(std::to_string(code)).front());
+  return std::stoi(ranks->gather(fmt::format("{}", code)).front());
 }
 
 }  // namespace albedo::analysis

@@ -10,18 +10,18 @@ namespace {
 
 void write_header(const TableDocument& table, std::ostream& out) {
   for (const auto& [key, item] : table.provenance.items()) out << "# " << key << ": " << comment_text(item) << '\n';
-  for (const Axis& axis : table.axes) {
+  for (const TableAxis& axis : table.axes) {
     if (!axis.unit.empty()) out << "# unit of " << comment_text(axis.name) << ": " << comment_text(axis.unit) << '\n';
   }
-  for (const Axis& axis : table.axes) out << csv_field(axis.name) << ',';
+  for (const TableAxis& axis : table.axes) out << csv_field(axis.name) << ',';
   out << table.quantity << (table.errors != nullptr ? ",error\n" : "\n");
 }
 
 /// The place of the current entry; only the fields that change from one entry to the next are written anew.
 class Place {
  public:
-  explicit Place(const std::vector<Axis>& axes) : axes_(axes), index_(axes.size(), 0) {
-    for (const Axis& axis : axes_) fields_.push_back(csv_field(axis_text(axis, 0)));
+  explicit Place(const std::vector<TableAxis>& axes) : axes_(axes), index_(axes.size(), 0) {
+    for (const TableAxis& axis : axes_) fields_.push_back(csv_field(axis_text(axis, 0)));
   }
 
   void append_to(std::string& line) const {
@@ -37,7 +37,7 @@ class Place {
   }
 
  private:
-  const std::vector<Axis>& axes_;
+  const std::vector<TableAxis>& axes_;
   std::vector<std::size_t> index_;
   std::vector<std::string> fields_;
 };

@@ -8,8 +8,6 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -19,6 +17,7 @@
 #include "albedo/core/errors.hpp"
 #include "analysis/files/atomic_file.hpp"
 #include "analysis/files/json_writer.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -33,19 +32,17 @@ struct Layout {
   std::size_t column_stride = 1;
 };
 
-bool is_rgb(const Axis& axis) {
+bool is_rgb(const TableAxis& axis) {
   return axis.size() == 3 && std::set(axis.labels.begin(), axis.labels.end()) == std::set<std::string>{"R", "G", "B"};
 }
 
 /// "alpha=0.1.Y": the shortest digits that tell the layers apart.
-std::string layer_channel(const Axis& axis, std::size_t index) {
-  if (axis.is_categorical()) return axis.name + "=" + axis.labels[index] + ".Y";
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.begin(), digits.end(), axis.values[index]);
-  return axis.name + "=" + std::string(digits.data(), end.ptr) + ".Y";
+std::string layer_channel(const TableAxis& axis, std::size_t index) {
+  return fmt::format("{}={}.Y", axis.name,
+                     axis.is_categorical() ? axis.labels[index] : shortest_text(axis.values[index]));
 }
 
-std::vector<std::string> layer_channels(const Axis& axis) {
+std::vector<std::string> layer_channels(const TableAxis& axis) {
   constexpr std::size_t longest_name = 255;  // OpenEXR cuts off the rest
   std::set<std::string> names;
   std::vector<std::string> channels;
@@ -59,10 +56,10 @@ std::vector<std::string> layer_channels(const Axis& axis) {
   return channels;
 }
 
-Layout layout_of(const std::vector<Axis>& axes) {
+Layout layout_of(const std::vector<TableAxis>& axes) {
   const std::size_t rank = axes.size();
   if (rank < 1 || rank > 3) {
-    throw ParameterError("output: .exr holds 1 to 3 axes, not " + std::to_string(rank) + "; .npy holds any number");
+    throw ParameterError(fmt::format("output: .exr holds 1 to 3 axes, not {}; .npy holds any number", rank));
   }
   const auto size = [&](std::size_t i) { return axes[i].size(); };
   Layout layout{.channels = {"Y"}, .width = size(rank - 1)};
@@ -77,10 +74,10 @@ Layout layout_of(const std::vector<Axis>& axes) {
   }
 
   constexpr std::size_t largest = std::numeric_limits<int>::max() / 2;  // OpenEXR's own limit
-  for (const Axis& axis : axes) {
+  for (const TableAxis& axis : axes) {
     if (axis.size() >= 1 && axis.size() < largest) continue;
-    throw ParameterError("output: .exr holds 1 to " + std::to_string(largest - 1) + " entries along an axis, not " +
-                         std::to_string(axis.size()) + " along '" + axis.name + "'");
+    throw ParameterError(fmt::format("output: .exr holds 1 to {} entries along an axis, not {} along '{}'", largest - 1,
+                                     axis.size(), axis.name));
   }
   return layout;
 }
@@ -155,6 +152,6 @@ void write_exr(const TableDocument& table, const std::string& path) {
   file.commit();
 }
 
-void check_exr_axes(const std::vector<Axis>& axes) { static_cast<void>(layout_of(axes)); }
+void check_exr_axes(const std::vector<TableAxis>& axes) { static_cast<void>(layout_of(axes)); }
 
 }  // namespace albedo::analysis

@@ -22,6 +22,6 @@ namespace albedo::analysis {
 void write_exr(const TableDocument& table, const std::string& path);
 
 /// @throws ParameterError if such an image can't hold these axes
-void check_exr_axes(const std::vector<Axis>& axes);
+void check_exr_axes(const std::vector<TableAxis>& axes);
 
 }  // namespace albedo::analysis

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "analysis/files/atomic_file.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -51,7 +52,7 @@ void write_array(std::ostream& out, std::string_view type, const std::string& na
   out << (size > 0 ? "\n}};\n" : "};\n");
 }
 
-void write_axis(std::ostream& out, const std::string& name, const Axis& axis) {
+void write_axis(std::ostream& out, const std::string& name, const TableAxis& axis) {
   out << "\n/// Axis '" << comment_text(axis.name) << "'";
   if (!axis.unit.empty()) out << ", unit: " << comment_text(axis.unit);
   out << "\n";
@@ -74,8 +75,8 @@ void write_hpp(const TableDocument& table, const std::string& path) {
   out << "\n#include <array>\n#include <cstddef>\n#include <limits>\n\n";
   out << "/// The number of entries along each axis.\n";
   write_array(out, "std::size_t", name + "_shape", table.axes.size(),
-              [&](std::size_t i) { return std::to_string(table.axes[i].size()); });
-  for (const Axis& axis : table.axes) write_axis(out, name + "_axis_" + identifier(axis.name), axis);
+              [&](std::size_t i) { return fmt::format("{}", table.axes[i].size()); });
+  for (const TableAxis& axis : table.axes) write_axis(out, identifier(table.name + "_axis_" + axis.name), axis);
   out << "\n/// Entries in C order: the last axis runs fastest.\n";
   write_array(out, "double", name + "_values", table.size(),
               [&](std::size_t i) { return double_literal(table.values[i]); });

@@ -30,7 +30,7 @@ void write_array(std::ostream& out, std::size_t size, const char* separator, Wri
   out << ']';
 }
 
-void write_axis(const Axis& axis, std::ostream& out) {
+void write_axis(const TableAxis& axis, std::ostream& out) {
   out << R"({"name": )" << json_text(axis.name) << R"(, "unit": )" << json_text(axis.unit);
   out << (axis.is_categorical() ? R"(, "labels": )" : R"(, "values": )");
   write_array(out, axis.size(), ", ", [&](std::size_t i) {
@@ -41,7 +41,7 @@ void write_axis(const Axis& axis, std::ostream& out) {
 
 /// The members of the description, without the braces around them.
 void write_description(const TableDocument& table, std::ostream& out) {
-  const std::vector<Axis>& axes = table.axes;
+  const std::vector<TableAxis>& axes = table.axes;
   out << R"("provenance": )" << json_text(table.provenance) << ",\n\"axes\": ";
   write_array(out, axes.size(), ",\n  ", [&](std::size_t i) { write_axis(axes[i], out); });
   out << ",\n\"shape\": ";

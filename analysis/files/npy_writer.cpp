@@ -6,6 +6,7 @@
 
 #include "analysis/files/atomic_file.hpp"
 #include "analysis/files/json_writer.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -16,11 +17,11 @@ static_assert(std::endian::native == std::endian::little, "the entries are writt
 
 /// The header of https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html, version 1.0: magic, version,
 /// the dictionary's length in two bytes, the dictionary, and spaces up to a multiple of 64 bytes.
-std::string npy_header(const std::vector<Axis>& axes) {
+std::string npy_header(const std::vector<TableAxis>& axes) {
   std::string shape;
-  for (const Axis& axis : axes) shape += (shape.empty() ? "" : ", ") + std::to_string(axis.size());
+  for (const TableAxis& axis : axes) shape += fmt::format("{}{}", shape.empty() ? "" : ", ", axis.size());
   if (axes.size() == 1) shape += ',';  // a Python tuple of one
-  std::string dictionary = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + shape + "), }";
+  std::string dictionary = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", shape);
 
   constexpr std::size_t prefix = 10;
   while ((prefix + dictionary.size() + 1) % 64 != 0) dictionary += ' ';

@@ -13,7 +13,7 @@ namespace albedo::analysis {
 void write_npy(const TableDocument& table, const std::string& path);
 
 /// The bytes before the entries of an array with these axes.
-std::string npy_header(const std::vector<Axis>& axes);
+std::string npy_header(const std::vector<TableAxis>& axes);
 
 /// The path of an array with .json in place of its ending.
 std::string sidecar_path(const std::string& path);

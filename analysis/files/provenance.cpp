@@ -38,9 +38,9 @@ nlohmann::ordered_json begin_provenance(const std::string& command_line) {
   return {{"generator", "albedo " + std::string(version)}, {"command", command_line}};
 }
 
-nlohmann::ordered_json describe_axes(const std::vector<Axis>& axes) {
+nlohmann::ordered_json describe_axes(const std::vector<TableAxis>& axes) {
   auto object = nlohmann::ordered_json::object();
-  for (const Axis& axis : axes) {
+  for (const TableAxis& axis : axes) {
     if (axis.is_categorical()) {
       object[axis.name] = {{"count", axis.size()}};
     } else {

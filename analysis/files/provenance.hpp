@@ -20,6 +20,6 @@ std::string quoted_command_line(int argc, const char* const* argv);
 nlohmann::ordered_json begin_provenance(const std::string& command_line);
 
 /// {"alpha": {"from", "to", "count"}, "channel": {"count"}}
-nlohmann::ordered_json describe_axes(const std::vector<Axis>& axes);
+nlohmann::ordered_json describe_axes(const std::vector<TableAxis>& axes);
 
 }  // namespace albedo::analysis

@@ -16,6 +16,7 @@
 #include "analysis/files/hpp_writer.hpp"
 #include "analysis/files/json_writer.hpp"
 #include "analysis/files/npy_writer.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -34,12 +35,11 @@ const Format& format_of(const std::string& path) {
   if (found != formats.end()) return *found;
 
   const std::string ending = std::filesystem::path(path).extension().string();
-  std::string message = "output: '" + path + "' has ";
-  message += ending.empty() ? "no ending" : "the unknown ending '" + ending + "'";
-  message += "; valid are";
-  for (const Format& format : formats)
-    message += (&format == formats.begin() ? " " : ", ") + std::string(format.ending);
-  throw ParameterError(message);
+  std::vector<std::string> endings;
+  for (const Format& format : formats) endings.emplace_back(format.ending);
+  throw ParameterError(fmt::format("output: '{}' has {}; valid are {}", path,
+                                   ending.empty() ? "no ending" : fmt::format("the unknown ending '{}'", ending),
+                                   joined(endings)));
 }
 
 void check_entries(const TableDocument& table, const std::string& path) {
@@ -60,11 +60,7 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-std::size_t TableDocument::size() const {
-  std::size_t product = 1;
-  for (const Axis& axis : axes) product *= axis.size();
-  return product;
-}
+std::size_t TableDocument::size() const { return entry_count(axes); }
 
 void write_table(const TableDocument& table, const std::string& path) {
   const Format& format = format_of(path);
@@ -73,7 +69,7 @@ void write_table(const TableDocument& table, const std::string& path) {
   format.write(table, path);
 }
 
-void check_table_path(const std::string& path, const std::vector<Axis>& axes) {
+void check_table_path(const std::string& path, const std::vector<TableAxis>& axes) {
   const Format& format = format_of(path);
   if (format.write == write_exr) check_exr_axes(axes);
   AtomicFile::check(path);
@@ -86,7 +82,7 @@ void append_number(std::string& text, double value) {
   text.append(digits.data(), end.ptr);
 }
 
-std::string axis_text(const Axis& axis, std::size_t index) {
+std::string axis_text(const TableAxis& axis, std::size_t index) {
   if (axis.is_categorical()) return axis.labels[index];
   std::string text;
   append_number(text, axis.values[index]);
@@ -96,7 +92,7 @@ std::string axis_text(const Axis& axis, std::size_t index) {
 std::string describe_entry(const TableDocument& table, std::size_t entry) {
   std::string text;
   std::size_t block = table.size();
-  for (const Axis& axis : table.axes) {
+  for (const TableAxis& axis : table.axes) {
     block /= axis.size();
     if (!text.empty()) text += ", ";
     text.append(axis.name).append("=").append(comment_text(axis_text(axis, entry / block)));

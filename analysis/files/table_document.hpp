@@ -7,24 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "albedo/table.hpp"
+
 namespace albedo::analysis {
-
-/// One axis of a table: numbers, or names (materials, channels).
-struct Axis {
-  std::string name{};
-  std::string unit{};
-  std::vector<double> values{};
-  std::vector<std::string> labels{};  ///< not empty: a categorical axis, whose values are not looked at
-
-  [[nodiscard]] bool is_categorical() const { return !labels.empty(); }
-  [[nodiscard]] std::size_t size() const { return is_categorical() ? labels.size() : values.size(); }
-};
 
 /// A table that is not copied: the entries stay where they were computed.
 struct TableDocument {
   std::string name{};               ///< an identifier, such as "ggx_albedo"
   std::string quantity = "albedo";  ///< what an entry is
-  std::vector<Axis> axes{};
+  std::vector<TableAxis> axes{};
   const double* values = nullptr;  ///< C order: the last axis runs fastest; a divergent albedo is +infinity
   const double* errors = nullptr;  ///< in the same order, or null
   nlohmann::ordered_json provenance = nlohmann::ordered_json::object();
@@ -43,13 +34,13 @@ std::string ending_of(const std::string& path);
 void write_table(const TableDocument& table, const std::string& path);
 
 /// Throws what write_table() would throw for the path and the axes, before anything is computed.
-void check_table_path(const std::string& path, const std::vector<Axis>& axes);
+void check_table_path(const std::string& path, const std::vector<TableAxis>& axes);
 
 /// Appends a number with 17 significant digits, which read back as the same double ("inf" and "nan" where it is one).
 void append_number(std::string& text, double value);
 
 /// The place on an axis as text: the name, or the number with 17 digits.
-std::string axis_text(const Axis& axis, std::size_t index);
+std::string axis_text(const TableAxis& axis, std::size_t index);
 
 /// Where an entry stands, for messages: "alpha=0.1, theta=30".
 std::string describe_entry(const TableDocument& table, std::size_t entry);

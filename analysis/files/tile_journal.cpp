@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "analysis/files/atomic_file.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -66,7 +67,7 @@ JournalHead read_head(const PlacedFile& file) {
     throw refuse("it is no journal of a table");
   }
   if (head.tiles > most_tiles || size != records_begin(length) + head.tiles * record_size) {
-    throw refuse("the journal is truncated or damaged: it has " + std::to_string(size) + " bytes");
+    throw refuse(fmt::format("the journal is truncated or damaged: it has {} bytes", size));
   }
   return head;
 }

@@ -10,7 +10,6 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "analysis/files/atomic_file.hpp"
 #include "analysis/files/json_writer.hpp"
 #include "analysis/files/npy_writer.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -39,6 +39,10 @@ std::size_t suitable_tile(std::size_t entries) {
 Json describe(const std::vector<TableAxis>& axes) {
   Json result = Json::object();
   for (const TableAxis& axis : axes) {
+    if (axis.is_categorical()) {
+      result[axis.name] = axis.labels;
+      continue;
+    }
     result[axis.name] = {{"from", axis.values.front()},
                          {"to", axis.values.back()},
                          {"count", axis.values.size()},
@@ -48,11 +52,6 @@ Json describe(const std::vector<TableAxis>& axes) {
 }
 
 }  // namespace
-
-std::size_t Entries::size() const {
-  return std::accumulate(axes.begin(), axes.end(), std::size_t{1},
-                         [](std::size_t count, const TableAxis& axis) { return count * axis.values.size(); });
-}
 
 Entries Entries::of(const TableSource& source) {
   return {.axes = source.axes(), .threads = source.threads(), .make_worker = [&source] {
@@ -69,9 +68,9 @@ void FilledTiles::merge(const FilledTiles& other) {
   damaged += other.damaged;
 }
 
-TiledTable::TiledTable(Entries entries, std::vector<Axis> axes, const std::string& path, TilingOptions options)
+TiledTable::TiledTable(Entries entries, std::vector<TableAxis> axes, const std::string& path, TilingOptions options)
     : entries_(std::move(entries)),
-      size_(entries_.size()),
+      size_(entry_count(entries_.axes)),
       axes_(std::move(axes)),
       path_(path),
       target_(AtomicFile::target_of(path)),
@@ -111,10 +110,9 @@ bool TiledTable::is_continued(const JournalHead& head) {
   const std::size_t finished = fs::exists(part_path_) ? journal_->count() : 0;
   if (finished == 0) return false;
   if (!options_.resume) {
-    throw cannot_write(path_, "'" + part_path_ + "' has " + std::to_string(finished) + " of " +
-                                  std::to_string(journal_->head().tiles) +
-                                  " tiles of an unfinished table; continue with --resume, or remove it and '" +
-                                  journal_path_ + "'");
+    throw cannot_write(path_, fmt::format("'{}' has {} of {} tiles of an unfinished table; continue with "
+                                          "--resume, or remove it and '{}'",
+                                          part_path_, finished, journal_->head().tiles, journal_path_));
   }
   open_part(head);
   return true;
@@ -127,8 +125,8 @@ void TiledTable::open_part(const JournalHead& head) {
   part_ = std::make_unique<PlacedFile>(part_path_, PlacedFile::Mode::reuse);
   const std::uint64_t size = header_.size() + size_ * sizeof(double);
   if (part_->size() != size) {
-    throw cannot_write(part_path_, "it is truncated or foreign: it has " + std::to_string(part_->size()) +
-                                       " bytes, not " + std::to_string(size));
+    throw cannot_write(part_path_,
+                       fmt::format("it is truncated or foreign: it has {} bytes, not {}", part_->size(), size));
   }
   std::string header(header_.size(), '\0');
   part_->read(0, std::as_writable_bytes(std::span(header)));

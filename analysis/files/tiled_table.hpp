@@ -26,8 +26,6 @@ struct Entries {
   int threads = 1;
   std::function<Worker()> make_worker;
 
-  [[nodiscard]] std::size_t size() const;
-
   /// The source must outlive them.
   static Entries of(const TableSource& source);
 };
@@ -61,7 +59,7 @@ class TiledTable {
   /// @throws ParameterError if the unfinished table is of another computation; says what differs
   /// @throws WriteError for an unfinished table that isn't to be continued, is truncated, isn't one, or is being
   /// written by another process; a disk without room for the whole table
-  TiledTable(Entries entries, std::vector<Axis> axes, const std::string& path, TilingOptions options);
+  TiledTable(Entries entries, std::vector<TableAxis> axes, const std::string& path, TilingOptions options);
   ~TiledTable();
   TiledTable(const TiledTable&) = delete;
   TiledTable& operator=(const TiledTable&) = delete;
@@ -97,7 +95,7 @@ class TiledTable {
 
   Entries entries_;
   std::size_t size_;
-  std::vector<Axis> axes_;
+  std::vector<TableAxis> axes_;
   std::string path_, target_, part_path_, journal_path_;
   TilingOptions options_;
   std::size_t tile_;

@@ -1,17 +1,11 @@
 #include "analysis/subjects/material_table.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <exception>
-#include <functional>
-#include <numeric>
 
 #include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
-#include "numerics/larger.hpp"
+#include "core/text.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -81,95 +75,42 @@ std::unique_ptr<Model> make_material(const Material& material, std::size_t chann
     return with_lambertian(make_model(material.model, parameters), number_in_channel(material.scale, channel),
                            number_in_channel(material.lambertian, channel));
   } catch (const Error& error) {
-    throw FormatError("'" + file + "', line " + std::to_string(material.line) + ": " + error.what());
+    throw FormatError(fmt::format("'{}', line {}: {}", file, material.line, error.what()));
   }
 }
 
-namespace {
-
-Direction direction_at(const std::string& axis, double place, double phi) {
-  return axis == "theta" ? Direction::from_degrees(place, phi) : Direction::from_cosine(place, phi);
-}
-
-/// Calls work(0) to work(count − 1) in parallel, and carries an exception out.
-void parallel_for(std::size_t count, const TableOptions& options, const std::function<void(std::size_t)>& work) {
-  std::exception_ptr failure;
-  std::atomic<std::size_t> done = 0;
-#pragma omp parallel for schedule(dynamic) num_threads(options.threads > 0 ? options.threads : omp_get_max_threads())
-  for (std::size_t i = 0; i < count; ++i) {
-    try {
-      work(i);
-      const std::size_t so_far = ++done;
-      if (options.progress && omp_get_thread_num() == 0) options.progress(so_far, count);
-    } catch (...) {
-#pragma omp critical(albedo_material_table)
-      failure = std::current_exception();
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
-/// At most `wanted` of the gaps 0 to count − 1, evenly spread.
-std::vector<std::size_t> spread(std::size_t count, std::size_t wanted) {
-  std::vector<std::size_t> chosen(std::min(count, wanted));
-  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i * count / chosen.size();
-  return chosen;
-}
-
-}  // namespace
-
-MaterialTable::MaterialTable(const std::vector<Material>& materials, const std::string& file) {
-  Axis names{.name = "material"}, channels{.name = "channel", .labels = channels_of(materials)};
+MaterialModels::MaterialModels(const std::vector<Material>& materials, const std::string& file)
+    : axes_{{.name = "material"}, {.name = "channel", .labels = channels_of(materials)}},
+      rows_(std::make_shared<std::vector<std::unique_ptr<Model>>>()) {
   for (const Material& material : materials) {
-    names.labels.push_back(material.name);
-    for (std::size_t channel = 0; channel < channels.size(); ++channel)
-      rows_.push_back(make_material(material, channel, file));
+    axes_[0].labels.push_back(material.name);
+    for (std::size_t channel = 0; channel < axes_[1].size(); ++channel)
+      rows_->push_back(make_material(material, channel, file));
   }
-  label_axes_ = {std::move(names), std::move(channels)};
 }
 
-void MaterialTable::fill(const TableAxis& directions, double phi, const TableOptions& options) {
-  const std::size_t columns = directions.values.size();
-  std::vector<Direction> lights;
-  for (const double place : directions.values) lights.push_back(direction_at(directions.name, place, phi));
+void MaterialModels::correct(const std::function<std::unique_ptr<Model>(std::unique_ptr<Model>)>& correction,
+                             int threads) {
+  in_parallel(rows_->size(), threads, [&](std::size_t i) { (*rows_)[i] = correction(std::move((*rows_)[i])); });
+}
 
-  if (options.correction) {
-    parallel_for(rows_.size(), options, [&](std::size_t i) { rows_[i] = options.correction(std::move(rows_[i])); });
-  }
-  std::vector<Estimate> estimates(rows_.size() * columns);
-  parallel_for(estimates.size(), options, [&](std::size_t i) {
-    estimates[i] = directional_albedo(*rows_[i / columns], lights[i % columns], options.albedo);
-  });
-  values_.resize(estimates.size());
-  if (options.keep_errors) errors_.resize(estimates.size());
-  for (std::size_t i = 0; i < estimates.size(); ++i) {
-    const Estimate& estimate = estimates[i];
-    values_[i] = estimate.value;
-    if (options.keep_errors) errors_[i] = estimate.error;
-    evaluations_ += estimate.evaluations;
-    if (estimate.status == Status::divergent) {
-      ++divergent_;
-      continue;
-    }
-    if (estimate.status != Status::converged) ++unconverged_;
-    keep_larger(worst_error_, estimate.error);
-  }
+TableSource MaterialModels::source(const TableAxis& directions, double phi, const TableOptions& options) const {
+  const auto row = [rows = rows_, channels = axes_[1].size()](const std::vector<double>& place) {
+    const std::size_t i = static_cast<std::size_t>(place[0]) * channels + static_cast<std::size_t>(place[1]);
+    return std::shared_ptr<const Model>(rows, (*rows)[i].get());
+  };
+  return {row, {axes_[0], axes_[1], directions, {.name = "phi", .values = {phi}}}, options};
+}
 
-  const std::size_t gaps_in_row = columns - 1;
-  const std::vector<std::size_t> gaps =
-      spread(rows_.size() * gaps_in_row, static_cast<std::size_t>(std::max(options.verified_cells, 0)));
-  std::vector<double> misses(gaps.size());
-  TableOptions quietly = options;
-  quietly.progress = nullptr;
-  parallel_for(gaps.size(), quietly, [&](std::size_t i) {
-    const std::size_t row = gaps[i] / gaps_in_row, left = gaps[i] % gaps_in_row;
-    const double middle = std::midpoint(directions.values[left], directions.values[left + 1]);
-    const double linear = std::midpoint(values_[row * columns + left], values_[row * columns + left + 1]);
-    if (!std::isfinite(linear)) return;  // nobody interpolates towards infinity
-    misses[i] = std::abs(
-        directional_albedo(*rows_[row], direction_at(directions.name, middle, phi), options.albedo).value - linear);
-  });
-  for (const double miss : misses) interpolation_error_ = std::max(interpolation_error_, miss);
+std::vector<TableSource::Cell> material_cells(const TableSource& source, std::size_t most) {
+  const std::vector<TableAxis>& axes = source.axes();
+  const std::size_t channels = axes[1].size(), gaps = axes[2].size() - 1, count = axes[0].size() * channels * gaps;
+  std::vector<TableSource::Cell> cells(std::min(count, most));
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t gap = i * count / cells.size(), row = gap / gaps;
+    cells[i] = {row / channels, row % channels, gap % gaps, 0};
+  }
+  return cells;
 }
 
 }  // namespace albedo::analysis

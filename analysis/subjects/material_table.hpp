@@ -2,14 +2,12 @@
 /// The albedos of a list of materials, channel by channel.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "albedo/table.hpp"
-#include "analysis/files/table_document.hpp"
+#include "albedo/table_source.hpp"
 #include "analysis/subjects/materials.hpp"
 
 namespace albedo::analysis {
@@ -20,36 +18,30 @@ std::vector<std::string> channels_of(const std::vector<Material>& materials);
 /// A material in one of the channels. @throws FormatError naming `file` and the line of the material
 std::unique_ptr<Model> make_material(const Material& material, std::size_t channel, const std::string& file);
 
-/// material × channel × direction.
-class MaterialTable {
+/// The models of material × channel, for tables over them and a direction.
+class MaterialModels {
  public:
   /// @throws FormatError naming `file` and the line of a material whose model or parameters are wrong
-  MaterialTable(const std::vector<Material>& materials, const std::string& file);
+  MaterialModels(const std::vector<Material>& materials, const std::string& file);
 
   /// The labels of materials and channels.
-  [[nodiscard]] const std::vector<Axis>& label_axes() const { return label_axes_; }
+  [[nodiscard]] const std::vector<TableAxis>& axes() const { return axes_; }
 
-  /// Computes in parallel, with the same bits for any number of threads. Whether linear interpolation between
-  /// neighbouring directions is good is measured in `options.verified_cells` gaps.
+  /// Makes another one of every model, in parallel.
+  void correct(const std::function<std::unique_ptr<Model>(std::unique_ptr<Model>)>& correction, int threads);
+
+  /// material × channel × direction. It shares the models.
   /// @param directions `theta` in degrees or `cos_theta`
-  /// @throws ParameterError for a direction outside its range, before anything is computed
-  void fill(const TableAxis& directions, double phi, const TableOptions& options);
-
-  [[nodiscard]] const std::vector<double>& values() const { return values_; }  ///< C order
-  [[nodiscard]] const std::vector<double>& errors() const { return errors_; }  ///< empty unless asked for
-  [[nodiscard]] double worst_error() const { return worst_error_; }  ///< largest absolute error of a finite entry
-  [[nodiscard]] double interpolation_error() const { return interpolation_error_; }  ///< largest met, absolute
-  [[nodiscard]] std::size_t unconverged() const { return unconverged_; }
-  [[nodiscard]] std::size_t divergent() const { return divergent_; }
-  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  /// @throws ParameterError for a direction outside its range
+  [[nodiscard]] TableSource source(const TableAxis& directions, double phi, const TableOptions& options) const;
 
  private:
-  std::vector<Axis> label_axes_;
-  std::vector<std::unique_ptr<Model>> rows_;  // material by material, channel by channel
-  std::vector<double> values_, errors_;
-  double worst_error_ = 0, interpolation_error_ = 0;
-  std::size_t unconverged_ = 0, divergent_ = 0;
-  std::int64_t evaluations_ = 0;
+  std::vector<TableAxis> axes_;
+  std::shared_ptr<std::vector<std::unique_ptr<Model>>> rows_;  // material by material, channel by channel
 };
+
+/// The gaps between neighbouring directions of such a table where interpolation is measured: at most so many, spread
+/// over all materials.
+[[nodiscard]] std::vector<TableSource::Cell> material_cells(const TableSource& source, std::size_t most);
 
 }  // namespace albedo::analysis

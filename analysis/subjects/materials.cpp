@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "albedo/core/errors.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -171,8 +172,8 @@ class MaterialsParser {
     if (error.byte > entry.text.size()) return "the entry ends too early; is the file cut off?";
     const std::string_view before = entry.text.substr(0, error.byte > 0 ? error.byte - 1 : 0);
     const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 = 0
-    return "the entry is not JSON (at line " + std::to_string(entry.line + count_lines(before)) + ", byte " +
-           std::to_string(before.size() - line_begin + 1) + (line_begin == 0 ? " of the entry)" : ")");
+    return fmt::format("the entry is not JSON (at line {}, byte {}{}", entry.line + count_lines(before),
+                       before.size() - line_begin + 1, line_begin == 0 ? " of the entry)" : ")");
   }
 
   std::string text_member(const Json& json, const char* key, std::size_t line) const {
@@ -213,7 +214,7 @@ class MaterialsParser {
   void skip_blanks() { advance(std::min(text_.find_first_not_of(blanks, position_), text_.size()) - position_); }
 
   [[noreturn]] void fail(std::size_t line, const std::string& problem) const {
-    throw FormatError("'" + file_ + "', line " + std::to_string(line) + ": " + problem);
+    throw FormatError(fmt::format("'{}', line {}: {}", file_, line, problem));
   }
 
   std::string_view text_;

@@ -10,13 +10,13 @@
 
 namespace albedo {
 
-/// The entries over these axes, C order; before them may be others (materials, channels) that every call has alike.
+/// The entries over these axes, C order.
 using TableEntries = std::function<std::vector<double>(const std::vector<TableAxis>& axes)>;
 
 struct TableGrowth {
-  double max_error = 1e-3;  ///< of interpolated entries, absolute
-  int bits = 0;             ///< of entries: 8, 10 or 16, or 32 for floats; 0: they stay what they are
-  std::size_t most_entries = 1 << 20;
+  double max_error = 1e-3;             ///< of interpolated entries, absolute
+  int bits = 0;                        ///< of entries: 8, 10 or 16, or 32 for floats; 0: they stay what they are
+  std::size_t most_entries = 1 << 20;  ///< for each combination of names
 };
 
 /// How a value v within [0, scale] is held: as a whole number of scale/(2^bits − 1), or as a float.
@@ -49,7 +49,7 @@ struct GrownTable {
 };
 
 /// Halves the gaps of every axis in which interpolation along it misses what it may, until the error at verified places
-/// is within max_error too. Axes of one value stay; others have to rise or fall.
+/// is within max_error too. Axes of names or of one value stay; others have to rise or fall.
 /// @throws ParameterError for an axis that does neither, and unless max_error is positive
 GrownTable grown(std::vector<TableAxis> axes, const TableEntries& entries, const TableGrowth& growth);
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "albedo/core/errors.hpp"
+#include "core/text.hpp"
 #include "numerics/larger.hpp"
 #include "numerics/parallel.hpp"
 
@@ -82,11 +83,13 @@ std::vector<double> AlbedoProxy::AxisOfProxy::points() const {
 AlbedoProxy::AlbedoProxy(const std::vector<TableAxis>& axes, const ProxyEntries& entries, const ProxyOptions& options)
     : tolerance_(options.tolerance) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    throw ParameterError("the tolerance of a proxy is " + std::to_string(options.tolerance) +
-                         " and must be within (0, 1)");
+    throw ParameterError(fmt::format("the tolerance of a proxy is {:f} and must be within (0, 1)", options.tolerance));
   }
   for (const TableAxis& axis : axes) {
-    if (axis.values.empty()) throw ParameterError("the axis '" + axis.name + "' has no values");
+    if (axis.is_categorical()) {
+      throw ParameterError(fmt::format("a proxy is over numbers, and the axis '{}' holds names", axis.name));
+    }
+    if (axis.values.empty()) throw ParameterError(fmt::format("the axis '{}' has no values", axis.name));
     axes_.push_back({.name = axis.name, .values = axis.values, .size = axis.values.size()});
   }
   look_along_axes(entries);
@@ -94,8 +97,8 @@ AlbedoProxy::AlbedoProxy(const std::vector<TableAxis>& axes, const ProxyEntries&
   for (std::uint64_t attempt = 0; std::isfinite(largest_); ++attempt) {
     const std::size_t count = product(sizes());
     if (count > options.most_integrations) {
-      throw ParameterError("a proxy would take " + std::to_string(count) + " integrations, and " +
-                           std::to_string(options.most_integrations) + " is the most it may");
+      throw ParameterError(fmt::format("a proxy would take {} integrations, and {} is the most it may", count,
+                                       options.most_integrations));
     }
     fit(entries);
     if (!std::isfinite(largest_) || !is_reached()) break;  // what the integrations can't reach, no series can

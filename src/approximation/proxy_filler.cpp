@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/proxy.hpp"
+#include "core/text.hpp"
 #include "numerics/parallel.hpp"
 
 namespace albedo {
@@ -29,8 +29,7 @@ void add_rows(const double* matrix, const double* rows, std::size_t count, std::
 
 AlbedoProxy::Filler::Filler(const AlbedoProxy& proxy, const std::vector<TableAxis>& axes) : proxy_(&proxy) {
   if (axes.size() != proxy.axes_.size()) {
-    throw ParameterError("a proxy of " + std::to_string(proxy.axes_.size()) + " axes fills no table of " +
-                         std::to_string(axes.size()));
+    throw ParameterError(fmt::format("a proxy of {} axes fills no table of {}", proxy.axes_.size(), axes.size()));
   }
   auto factors = std::make_shared<std::vector<Factor>>();
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -41,9 +40,7 @@ AlbedoProxy::Filler::Filler(const AlbedoProxy& proxy, const std::vector<TableAxi
     if (axis.variable) {
       for (const double value : values) {
         if (axis.variable->contains(value)) continue;
-        std::ostringstream message;
-        message << "the proxy ends before " << value << " on the axis '" << axis.name << "'";
-        throw ParameterError(message.str());
+        throw ParameterError(fmt::format("the proxy ends before {:g} on the axis '{}'", value, axis.name));
       }
       factor.matrix.resize(factor.rows * factor.columns);
       for (std::size_t r = 0; r < factor.rows; ++r) {
@@ -56,10 +53,9 @@ AlbedoProxy::Filler::Filler(const AlbedoProxy& proxy, const std::vector<TableAxi
         const auto found =
             is_same ? axis.values.begin() + static_cast<std::ptrdiff_t>(r) : std::ranges::find(axis.values, values[r]);
         if (found == axis.values.end()) {
-          std::ostringstream message;
-          message << "the proxy is known at the values of the axis '" << axis.name << "' only, and " << values[r]
-                  << " is none of them";
-          throw ParameterError(message.str());
+          throw ParameterError(
+              fmt::format("the proxy is known at the values of the axis '{}' only, and {:g} is none of them", axis.name,
+                          values[r]));
         }
         factor.chosen.push_back(static_cast<std::size_t>(found - axis.values.begin()));
       }

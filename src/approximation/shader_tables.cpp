@@ -7,6 +7,7 @@
 #include "albedo/combinators/compensated.hpp"
 #include "albedo/combinators/pumped.hpp"
 #include "albedo/combinators/sum.hpp"
+#include "core/text.hpp"
 #include "numerics/larger.hpp"
 
 namespace albedo {
@@ -26,7 +27,7 @@ std::vector<ShaderFunction> shader_functions(std::unique_ptr<Model> model, const
   if (corrections.pump.times > 0) {
     auto pumped = std::make_unique<PumpedModel>(std::move(model), corrections.pump);
     for (int k = 0; k < corrections.pump.times; ++k) {
-      functions.push_back({"1/a_" + std::to_string(k), [divisor = pumped->divisor(), k](double cos_theta) {
+      functions.push_back({fmt::format("1/a_{}", k), [divisor = pumped->divisor(), k](double cos_theta) {
                              return std::exp(-divisor->log_albedo(k, -std::log(cos_theta)));
                            }});
     }

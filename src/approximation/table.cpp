@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <span>
 
+#include "albedo/core/errors.hpp"
 #include "albedo/table_source.hpp"
 #include "numerics/parallel.hpp"
 
@@ -38,37 +41,67 @@ class Progress {
 
 }  // namespace
 
+std::size_t entry_count(const std::vector<TableAxis>& axes) {
+  std::size_t count = 1;
+  const std::size_t most = std::vector<double>().max_size();
+  for (const TableAxis& axis : axes) {
+    if (axis.size() > 0 && count > most / axis.size()) {
+      throw ParameterError("the table has more entries than memory has addresses");
+    }
+    count *= axis.size();
+  }
+  return count;
+}
+
+void TableTally::add(std::size_t entry, const Estimate& estimate) {
+  evaluations += estimate.evaluations;
+  if (estimate.status == Status::divergent) {
+    ++divergent;
+    return;
+  }
+  if (estimate.status != Status::converged) ++unconverged;
+  if (std::isfinite(estimate.value)) merge({.worst_error = estimate.error, .worst_entry = entry});
+}
+
+void TableTally::merge(const TableTally& other) {
+  // NaN is worse than any number.
+  const auto rank = [](double error) { return std::isnan(error) ? std::numeric_limits<double>::infinity() : error; };
+  const double ours = rank(worst_error), theirs = rank(other.worst_error);
+  if (theirs > ours || (theirs == ours && other.worst_entry < worst_entry)) {
+    worst_error = other.worst_error;
+    worst_entry = other.worst_entry;
+  }
+  unconverged += other.unconverged;
+  divergent += other.divergent;
+  evaluations += other.evaluations;
+}
+
 AlbedoTable::AlbedoTable(const std::string& model, const Parameters& fixed, std::vector<TableAxis> axes,
-                         const TableOptions& options) {
-  const TableSource source(model, fixed, std::move(axes), options);
-  axes_ = source.axes();
+                         const TableOptions& options)
+    : AlbedoTable(TableSource(model, fixed, std::move(axes), options)) {}
+
+AlbedoTable::AlbedoTable(const TableSource& source) : axes_(source.axes()) {
+  const bool keeps_errors = source.options().keep_errors;
   const std::size_t count = source.size();
   values_.resize(count);
-  if (options.keep_errors) errors_.resize(count);
+  if (keeps_errors) errors_.resize(count);
 
   struct Share {  // of a thread
     TableSource::Worker worker;
     TableTally tally{};
   };
-  Progress progress(options, count);
-  TableTally whole;
+  Progress progress(source.options(), count);
   const auto fill_tile = [&](std::size_t index, Share& share) {
     const std::size_t begin = index * tile, size = std::min(count - begin, tile);
-    const std::span<double> errors =
-        options.keep_errors ? std::span(errors_).subspan(begin, size) : std::span<double>{};
+    const std::span<double> errors = keeps_errors ? std::span(errors_).subspan(begin, size) : std::span<double>{};
     share.tally.merge(share.worker.fill(begin, std::span(values_).subspan(begin, size), errors));
     progress.add(size);
   };
   in_parallel((count - 1) / tile + 1, source.threads(), [&] { return Share{TableSource::Worker(source)}; }, fill_tile,
-              [&](const Share& share) { whole.merge(share.tally); });
+              [&](const Share& share) { tally_.merge(share.tally); });
   const TableSource::Interpolation interpolation = source.interpolation([&](std::size_t e) { return values_[e]; });
-
-  worst_error_ = std::max(whole.worst_error, 0.0);
-  worst_entry_ = whole.worst_entry;
-  unconverged_ = whole.unconverged;
-  divergent_ = whole.divergent;
-  evaluations_ = whole.evaluations + interpolation.evaluations;
   interpolation_error_ = interpolation.error;
+  verification_ = interpolation.evaluations;
 }
 
 }  // namespace albedo

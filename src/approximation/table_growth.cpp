@@ -12,10 +12,10 @@
 namespace albedo {
 namespace {
 
-std::size_t size_of(const std::vector<TableAxis>& axes) {
-  std::size_t size = 1;
-  for (const TableAxis& axis : axes) size *= axis.values.size();
-  return size;
+/// The entries of each combination of names.
+std::size_t numeric_entries(std::vector<TableAxis> axes) {
+  std::erase_if(axes, [](const TableAxis& axis) { return axis.is_categorical(); });
+  return entry_count(axes);
 }
 
 std::vector<double> middles(const std::vector<double>& values) {
@@ -24,7 +24,10 @@ std::vector<double> middles(const std::vector<double>& values) {
   return result;
 }
 
+bool can_grow(const TableAxis& axis) { return !axis.is_categorical() && axis.size() > 1; }
+
 void check(const TableAxis& axis) {
+  if (axis.is_categorical()) return;
   const auto rises = std::ranges::adjacent_find(axis.values, std::ranges::greater_equal{}) == axis.values.end();
   const auto falls = std::ranges::adjacent_find(axis.values, std::ranges::less_equal{}) == axis.values.end();
   if (!rises && !falls) throw ParameterError("max-error: the values of the axis '" + axis.name + "' must rise or fall");
@@ -37,7 +40,7 @@ std::vector<double> gap_errors(const std::vector<TableAxis>& axes, std::size_t a
   between[axis].values = middles(axes[axis].values);
   const std::vector<double> exact = entries(between);
   std::size_t inner = 1;
-  for (std::size_t i = axis + 1; i < axes.size(); ++i) inner *= axes[i].values.size();
+  for (std::size_t i = axis + 1; i < axes.size(); ++i) inner *= axes[i].size();
   const std::size_t gaps = between[axis].values.size();
   std::vector<double> errors(gaps);
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -59,7 +62,7 @@ double interpolated(const std::vector<TableAxis>& axes, const double* values, co
     for (std::size_t i = 0; i < axes.size(); ++i) {
       const bool is_right = (corner >> i & 1) != 0;
       weight *= is_right ? t[i] : 1 - t[i];
-      entry = entry * axes[i].values.size() + left[i] + (is_right && axes[i].values.size() > 1 ? 1 : 0);
+      entry = entry * axes[i].size() + left[i] + (is_right && can_grow(axes[i]) ? 1 : 0);
     }
     if (weight != 0) sum += weight * values[entry];
   }
@@ -102,24 +105,32 @@ double interpolation_error(const std::vector<TableAxis>& axes, const std::vector
                            const TableEntries& entries) {
   constexpr std::size_t places = 256;
   double largest = 0;
-  const std::size_t block = size_of(axes);
   for (std::size_t number = 0; number < places; ++number) {
     std::vector<TableAxis> place = axes;
     std::vector<std::size_t> left(axes.size());
     std::vector<double> t(axes.size());
+    std::size_t numeric = 0;
     for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (axes[i].is_categorical()) continue;
       const std::vector<double>& nodes = axes[i].values;
+      const double share = spread(number, numeric++);
       place[i].values = {nodes.front()};
       if (nodes.size() < 2) continue;
-      const double at = spread(number, i) * static_cast<double>(nodes.size() - 1);
+      const double at = share * static_cast<double>(nodes.size() - 1);
       left[i] = std::min(static_cast<std::size_t>(at), nodes.size() - 2);
       t[i] = number % 2 == 0 ? 0.5 : at - static_cast<double>(left[i]);
       place[i].values = {std::lerp(nodes[left[i]], nodes[left[i] + 1], t[i])};
     }
     const std::vector<double> exact = entries(place);
-    for (std::size_t row = 0; row < exact.size(); ++row) {
-      const double between = interpolated(axes, values.data() + row * block, left, t);
-      if (std::isfinite(between)) keep_larger(largest, std::abs(between - exact[row]));
+    for (std::size_t names = 0; names < exact.size(); ++names) {  // every combination of names has an entry
+      std::size_t rest = names;
+      for (std::size_t i = axes.size(); i-- > 0;) {
+        if (!axes[i].is_categorical()) continue;
+        left[i] = rest % axes[i].size();
+        rest /= axes[i].size();
+      }
+      const double between = interpolated(axes, values.data(), left, t);
+      if (std::isfinite(between)) keep_larger(largest, std::abs(between - exact[names]));
     }
   }
   return largest;
@@ -132,7 +143,7 @@ GrownTable grown(std::vector<TableAxis> axes, const TableEntries& entries, const
   std::size_t growing = 0;
   for (const TableAxis& axis : axes) {
     check(axis);
-    if (axis.values.size() > 1) ++growing;
+    if (can_grow(axis)) ++growing;
   }
   GrownTable table{.axes = std::move(axes)};
   for (double share = 1;;) {
@@ -142,8 +153,8 @@ GrownTable grown(std::vector<TableAxis> axes, const TableEntries& entries, const
     bool has_grown = false;
     std::vector<TableAxis> next = table.axes;
     for (std::size_t axis = 0; axis < table.axes.size() && target > 0; ++axis) {
+      if (!can_grow(table.axes[axis])) continue;
       const std::vector<double>& nodes = table.axes[axis].values;
-      if (nodes.size() < 2) continue;
       const std::vector<double> errors = gap_errors(table.axes, axis, held.values, entries);
       std::vector<double>& more = next[axis].values;
       more.clear();
@@ -156,7 +167,7 @@ GrownTable grown(std::vector<TableAxis> axes, const TableEntries& entries, const
         has_grown = true;
       }
     }
-    if (has_grown && size_of(next) <= growth.most_entries) {
+    if (has_grown && numeric_entries(next) <= growth.most_entries) {
       table.axes = std::move(next);
       continue;
     }

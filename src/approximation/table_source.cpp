@@ -1,140 +1,159 @@
 #include "albedo/table_source.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <future>
 #include <limits>
 #include <map>
 #include <mutex>
-#include <sstream>
 
 #include "albedo/core/errors.hpp"
 #include "albedo/core/suggestion.hpp"
+#include "albedo/registry.hpp"
+#include "core/text.hpp"
 #include "numerics/parallel.hpp"
 
 namespace albedo {
 namespace {
 
-enum class AxisKind { parameter, cos_theta, theta, phi };
+bool is_polar(const std::string& name) { return name == "cos_theta" || name == "theta"; }
+bool is_direction(const std::string& name) { return is_polar(name) || name == "phi"; }
 
-AxisKind kind_of(const TableAxis& axis) {
-  if (axis.name == "cos_theta") return AxisKind::cos_theta;
-  if (axis.name == "theta") return AxisKind::theta;
-  return axis.name == "phi" ? AxisKind::phi : AxisKind::parameter;
-}
-
-/// The parameters that a name of an axis or of a fixed value sets; a direction's name stands for itself.
+/// The parameters that a name of an axis sets; a direction's name stands for itself.
 std::vector<std::string> set_by(const ModelInfo& info, const TableAxis& axis) {
-  if (kind_of(axis) != AxisKind::parameter) return {axis.name};
+  if (is_direction(axis.name)) return {axis.name};
   std::vector<std::string> names = info.resolve(axis.name);
   if (!names.empty()) return names;
   std::vector<std::string> candidates{"cos_theta", "theta", "phi"};
   for (const ParameterInfo& parameter : info.parameters) candidates.push_back(parameter.name);
   for (const Shorthand& shorthand : info.shorthands) candidates.push_back(shorthand.name);
   const std::string close = suggestion(axis.name, candidates);
-  throw ParameterError(info.name + " has no parameter '" + axis.name + "' for an axis" +
-                       (close.empty() ? "" : "; did you mean '" + close + "'?"));
+  throw ParameterError(fmt::format("{} has no parameter '{}' for an axis{}", info.name, axis.name,
+                                   close.empty() ? "" : fmt::format("; did you mean '{}'?", close)));
 }
 
 void check_values(const std::string& subject, const TableAxis& axis, const Range& range) {
   for (const double value : axis.values) {
     if (range.contains(value)) continue;
-    std::ostringstream message;
-    message << subject << " is " << value << " on its axis and must be within [" << range.minimum << ", "
-            << range.maximum << "]";
-    throw ParameterError(message.str());
+    throw ParameterError(fmt::format("{} is {:g} on its axis and must be within [{:g}, {:g}]", subject, value,
+                                     range.minimum, range.maximum));
   }
 }
 
-void check_axis(const ModelInfo& info, const TableAxis& axis) {
-  if (axis.values.empty()) throw ParameterError("the axis '" + axis.name + "' has no values");
-  switch (kind_of(axis)) {
-    case AxisKind::cos_theta:
-      return check_values("cos_theta", axis, {0, 1});
-    case AxisKind::theta:
-      return check_values("theta", axis, {0, 90});
-    case AxisKind::phi:
-      return check_values("phi", axis, {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()});
-    case AxisKind::parameter:
-      break;
+void check_direction(const TableAxis& axis) {
+  if (axis.is_categorical()) throw ParameterError(axis.name + " is a direction and its axis holds numbers, not names");
+  if (axis.name == "cos_theta") check_values("cos_theta", axis, {0, 1});
+  if (axis.name == "theta") check_values("theta", axis, {0, 90});
+  if (axis.name == "phi") {
+    check_values("phi", axis, {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()});
   }
+}
+
+/// Throws unless the axes have values, set nothing twice and give L a polar angle.
+void check(const std::vector<TableAxis>& axes) {
+  const std::string* polar = nullptr;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::string& name = axes[i].name;
+    if (axes[i].size() == 0) throw ParameterError(fmt::format("the axis '{}' has no values", name));
+    if (is_direction(name)) check_direction(axes[i]);
+    for (std::size_t k = 0; k < i; ++k) {
+      if (axes[k].name != name) continue;
+      throw ParameterError(fmt::format("{} is varied twice, by the axes '{}' and '{}'", name, name, name));
+    }
+    if (!is_polar(name)) continue;
+    if (polar != nullptr) throw ParameterError("the axes 'cos_theta' and 'theta' exclude each other");
+    polar = &name;
+  }
+  if (polar == nullptr) throw ParameterError("a table needs an axis 'cos_theta' or 'theta'");
+}
+
+void check_parameter(const ModelInfo& info, const TableAxis& axis) {
   for (const std::string& name : set_by(info, axis)) {
     const ParameterInfo& parameter = *info.find(name);
-    if (parameter.is_choice())
-      throw ParameterError(info.name + ": " + name + " is a choice of names and can't be an axis");
-    check_values(info.name + ": " + name, axis, parameter.range);
+    if (parameter.is_choice() && !axis.is_categorical()) {
+      throw ParameterError(info.name + ": " + name + " is a choice of names and can't be an axis of numbers");
+    }
+    if (!axis.is_categorical()) {
+      check_values(info.name + ": " + name, axis, parameter.range);
+    } else if (!parameter.is_text) {
+      for (const std::string& label : axis.labels) detail::checked_value(info, parameter, label);
+    }
   }
 }
 
-/// Throws unless the axes are valid, set nothing twice and give L a polar angle.
+/// Throws unless the axes vary parameters that the model has, within their ranges, and that are neither fixed nor
+/// varied twice.
 void check(const ModelInfo& info, const Parameters& fixed, const std::vector<TableAxis>& axes) {
   std::vector<std::pair<std::string, std::string>> set;  // parameter, axis
-  bool has_angle = false;
   for (const TableAxis& axis : axes) {
-    check_axis(info, axis);
     for (const std::string& name : set_by(info, axis)) {
-      const auto same = std::find_if(set.begin(), set.end(), [&](const auto& s) { return s.first == name; });
-      if (same != set.end())
-        throw ParameterError(name + " is varied twice, by the axes '" + same->second + "' and '" + axis.name + "'");
+      const auto same = std::ranges::find(set, name, &std::pair<std::string, std::string>::first);
+      if (same != set.end()) {
+        throw ParameterError(
+            fmt::format("{} is varied twice, by the axes '{}' and '{}'", name, same->second, axis.name));
+      }
       set.emplace_back(name, axis.name);
     }
-    if (kind_of(axis) == AxisKind::cos_theta || kind_of(axis) == AxisKind::theta) {
-      if (has_angle) throw ParameterError("the axes 'cos_theta' and 'theta' exclude each other");
-      has_angle = true;
-    }
+    if (!is_direction(axis.name)) check_parameter(info, axis);
   }
-  if (!has_angle) throw ParameterError("a table needs an axis 'cos_theta' or 'theta'");
   for (const auto& [given, value] : fixed) {
     for (const std::string& name : info.resolve(given)) {
-      const auto same = std::find_if(set.begin(), set.end(), [&](const auto& s) { return s.first == name; });
+      const auto same = std::ranges::find(set, name, &std::pair<std::string, std::string>::first);
       if (same == set.end()) continue;
-      throw ParameterError(name + " is fixed by '" + given + "' and varied by the axis '" + same->second + "'");
+      throw ParameterError(fmt::format("{} is fixed by '{}' and varied by the axis '{}'", name, given, same->second));
     }
   }
   make_model(info.name, fixed);
 }
 
-std::size_t entry_count(const std::vector<TableAxis>& axes) {
-  std::size_t count = 1;
-  const std::size_t most = std::vector<double>().max_size();
-  for (const TableAxis& axis : axes) {
-    if (axis.values.size() > most / count) throw ParameterError("the table has more entries than memory has addresses");
-    count *= axis.values.size();
-  }
-  return count;
+/// The model of that name, with what the axes vary.
+TableModels models_of(const std::string& model, Parameters fixed, const std::vector<TableAxis>& axes,
+                      const TableOptions& options) {
+  const ModelInfo& info = model_info(model);
+  check(info, fixed, axes);
+  std::vector<TableAxis> varied = axes;
+  std::erase_if(varied, [](const TableAxis& axis) { return is_direction(axis.name); });
+  auto make = [&info, fixed = std::move(fixed), varied = std::move(varied)](const std::vector<double>& place) {
+    Parameters parameters = fixed;
+    for (std::size_t i = 0; i < varied.size(); ++i) {
+      if (varied[i].is_categorical()) {
+        parameters.emplace_back(varied[i].name, varied[i].labels[static_cast<std::size_t>(place[i])]);
+      } else {
+        parameters.emplace_back(varied[i].name, place[i]);
+      }
+    }
+    return make_model(info.name, parameters);
+  };
+  if (!options.correction) return make;
+  return kept([make = std::move(make), correction = options.correction](const std::vector<double>& place) {
+    return correction(make(place));
+  });
 }
 
-/// The indices on the axes of an entry in C order.
-std::vector<std::size_t> indices_of(std::size_t entry, const std::vector<TableAxis>& axes) {
-  std::vector<std::size_t> indices(axes.size());
-  for (std::size_t i = axes.size(); i-- > 0;) {
-    indices[i] = entry % axes[i].values.size();
-    entry /= axes[i].values.size();
-  }
-  return indices;
+TableOptions without_correction(TableOptions options) {
+  options.correction = nullptr;
+  return options;
 }
 
-/// Cells of the grid by their first corner: all of them, or `most` by an additive recurrence that spreads over every
-/// axis alike [Roberts 2018].
-std::vector<std::vector<std::size_t>> spread_cells(const std::vector<TableAxis>& axes, std::size_t most) {
+/// Cells of numeric axes: all of them, or `most` by an additive recurrence that spreads over every axis alike
+/// [Roberts 2018].
+std::vector<TableSource::Cell> spread_cells(const std::vector<std::size_t>& sizes, std::size_t most) {
   std::vector<std::size_t> counts;  // of cells along each axis; an axis of one value has no extent
   std::size_t cells = 1;
   bool is_extended = false;
-  for (const TableAxis& axis : axes) {
-    counts.push_back(std::max<std::size_t>(axis.values.size() - 1, 1));
+  for (const std::size_t size : sizes) {
+    counts.push_back(std::max<std::size_t>(size - 1, 1));
     cells *= counts.back();
-    is_extended = is_extended || axis.values.size() > 1;
+    is_extended = is_extended || size > 1;
   }
   if (!is_extended) return {};
   const bool takes_all = cells <= most;
-  std::vector<std::vector<std::size_t>> chosen(takes_all ? cells : most, std::vector<std::size_t>(axes.size()));
+  std::vector<TableSource::Cell> chosen(takes_all ? cells : most, TableSource::Cell(sizes.size()));
   double ratio = 2;  // the root of ratio^(d+1) = ratio + 1
-  for (int step = 0; step < 64; ++step) ratio = std::pow(1 + ratio, 1 / (static_cast<double>(axes.size()) + 1));
+  for (int step = 0; step < 64; ++step) ratio = std::pow(1 + ratio, 1 / (static_cast<double>(sizes.size()) + 1));
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     std::size_t rest = k;
-    for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
       const double turns = static_cast<double>(k + 1) * std::pow(ratio, -static_cast<double>(i + 1));
       const auto spread = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(counts[i]));
       chosen[k][i] = takes_all ? rest % counts[i] : std::min(spread, counts[i] - 1);
@@ -144,16 +163,43 @@ std::vector<std::vector<std::size_t>> spread_cells(const std::vector<TableAxis>&
   return chosen;
 }
 
+/// So many cells of the numeric axes for each combination of names.
+std::vector<TableSource::Cell> verified_cells(const std::vector<TableAxis>& axes, std::size_t most) {
+  std::vector<std::size_t> sizes;
+  for (const TableAxis& axis : axes) {
+    if (!axis.is_categorical()) sizes.push_back(axis.size());
+  }
+  const std::vector<TableSource::Cell> numeric = spread_cells(sizes, most);
+  std::size_t combinations = 1;
+  for (const TableAxis& axis : axes) combinations *= axis.is_categorical() ? axis.size() : 1;
+  std::vector<TableSource::Cell> cells;
+  for (std::size_t combination = 0; combination < combinations; ++combination) {
+    for (const TableSource::Cell& of_numbers : numeric) {
+      TableSource::Cell& cell = cells.emplace_back(axes.size());
+      std::size_t rest = combination, next = of_numbers.size();
+      for (std::size_t i = axes.size(); i-- > 0;) {
+        if (!axes[i].is_categorical()) {
+          cell[i] = of_numbers[--next];
+          continue;
+        }
+        cell[i] = rest % axes[i].size();
+        rest /= axes[i].size();
+      }
+    }
+  }
+  return cells;
+}
+
 /// The mean of the table over the corners of a cell, which is what multilinear interpolation gives at its centre, and
 /// the centre.
 double at_centre(const std::vector<TableAxis>& axes, const std::function<double(std::size_t)>& value,
-                 const std::vector<std::size_t>& cell, std::vector<double>& centre) {
+                 const TableSource::Cell& cell, std::vector<double>& centre) {
   std::vector<std::size_t> corners{0};  // entries
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const std::vector<double>& v = axes[i].values;
-    const bool is_extended = v.size() > 1;
-    centre[i] = is_extended ? v[cell[i]] / 2 + v[cell[i] + 1] / 2 : v[0];
-    for (std::size_t& corner : corners) corner = corner * v.size() + cell[i];
+    const TableAxis& axis = axes[i];
+    const bool is_extended = !axis.is_categorical() && axis.size() > 1;
+    centre[i] = is_extended ? axis.values[cell[i]] / 2 + axis.values[cell[i] + 1] / 2 : axis.number(cell[i]);
+    for (std::size_t& corner : corners) corner = corner * axis.size() + cell[i];
     if (!is_extended) continue;
     const std::size_t count = corners.size();
     for (std::size_t k = 0; k < count; ++k) corners.push_back(corners[k] + 1);
@@ -163,28 +209,26 @@ double at_centre(const std::vector<TableAxis>& axes, const std::function<double(
   return sum / static_cast<double>(corners.size());
 }
 
-}  // namespace
-
-/// Corrected models, which are worth keeping, by the values of the parameters that vary: those that were used last.
-/// Whoever comes first makes one.
-class TableSource::CorrectedModels {
+/// Models by their places: those that were used last. Whoever comes first makes one.
+class KeptModels {
  public:
   using Shared = std::shared_ptr<const Model>;
 
-  template <class Make>
-  Shared get(const std::vector<double>& place, const Make& make) {
+  KeptModels(TableModels models, std::size_t most) : make_(std::move(models)), most_(most) {}
+
+  Shared get(const std::vector<double>& place) {
     std::promise<Shared> promise;
     std::unique_lock lock(mutex_);
     const auto [found, is_new] = models_.try_emplace(place);
     if (is_new) found->second.model = promise.get_future().share();
     found->second.last_use = ++uses_;
     const std::shared_future<Shared> result = found->second.model;
-    if (models_.size() > most)
+    if (models_.size() > most_)
       models_.erase(std::ranges::min_element(models_, {}, [](const auto& item) { return item.second.last_use; }));
     lock.unlock();
     if (is_new) {
       try {
-        promise.set_value(make());
+        promise.set_value(make_(place));
       } catch (...) {
         promise.set_exception(std::current_exception());
       }
@@ -193,53 +237,63 @@ class TableSource::CorrectedModels {
   }
 
  private:
-  static constexpr std::size_t most = 256;  // some 100 kB each
-
   struct Kept {
     std::shared_future<Shared> model;
     std::size_t last_use = 0;
   };
 
+  TableModels make_;
+  std::size_t most_;
   std::mutex mutex_;
   std::map<std::vector<double>, Kept> models_;
   std::size_t uses_ = 0;
 };
 
-TableSource::TableSource(std::string model, Parameters fixed, std::vector<TableAxis> axes, TableOptions options)
-    : model_(std::move(model)), fixed_(std::move(fixed)), axes_(std::move(axes)), options_(std::move(options)) {
-  if (options_.threads < 0)
-    throw ParameterError("threads is " + std::to_string(options_.threads) + " and must be 0 or more");
-  if (options_.verified_cells < 0) {
-    throw ParameterError("verified_cells is " + std::to_string(options_.verified_cells) + " and must be 0 or more");
-  }
-  check(model_info(model_), fixed_, axes_);
-  size_ = entry_count(axes_);
-  threads_ = options_.threads > 0 ? options_.threads : omp_get_max_threads();
-  corrected_ = std::make_unique<CorrectedModels>();
+}  // namespace
+
+TableModels kept(TableModels models, std::size_t most) {
+  return [all = std::make_shared<KeptModels>(std::move(models), most)](const std::vector<double>& place) {
+    return all->get(place);
+  };
 }
 
-TableSource::~TableSource() = default;
+TableSource::TableSource(const std::string& model, Parameters fixed, std::vector<TableAxis> axes, TableOptions options)
+    : TableSource(models_of(model, std::move(fixed), axes, options), axes, without_correction(options)) {}
 
-std::shared_ptr<const Model> TableSource::model_at(const std::vector<double>& place) const {
-  Parameters parameters = fixed_;
-  std::vector<double> varied;
-  for (std::size_t i = 0; i < axes_.size(); ++i) {
-    if (kind_of(axes_[i]) != AxisKind::parameter) continue;
-    parameters.emplace_back(axes_[i].name, place[i]);
-    varied.push_back(place[i]);
+TableSource::TableSource(TableModels models, std::vector<TableAxis> axes, TableOptions options)
+    : models_(std::move(models)), axes_(std::move(axes)), options_(std::move(options)) {
+  if (options_.threads < 0) throw ParameterError(fmt::format("threads is {} and must be 0 or more", options_.threads));
+  if (options_.verified_cells < 0) {
+    throw ParameterError(fmt::format("verified_cells is {} and must be 0 or more", options_.verified_cells));
   }
-  if (!options_.correction) return make_model(model_, parameters);
-  return corrected_->get(varied, [&] { return options_.correction(make_model(model_, parameters)); });
+  if (options_.correction) throw ParameterError("correction is of a model by name; models of one's own come corrected");
+  check(axes_);
+  size_ = entry_count(axes_);
+  threads_ = thread_count(options_.threads);
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const std::string& name = axes_[i].name;
+    if (is_polar(name)) {
+      polar_ = i, is_in_degrees_ = name == "theta";
+    } else if (name == "phi") {
+      phi_ = i;
+    } else {
+      model_axes_.push_back(i);
+    }
+  }
 }
 
 TableSource::Interpolation TableSource::interpolation(const std::function<double(std::size_t)>& value) const {
+  return interpolation(value, verified_cells(axes_, static_cast<std::size_t>(options_.verified_cells)));
+}
+
+TableSource::Interpolation TableSource::interpolation(const std::function<double(std::size_t)>& value,
+                                                      const std::vector<Cell>& cells) const {
   struct Share {  // of a thread
     Worker worker;
     std::vector<double> centre;
     Interpolation met;
   };
   Interpolation result;
-  const auto cells = spread_cells(axes_, static_cast<std::size_t>(options_.verified_cells));
   const auto verify = [&](std::size_t k, Share& share) {
     const double interpolated = at_centre(axes_, value, cells[k], share.centre);
     if (!std::isfinite(interpolated)) return;
@@ -256,69 +310,34 @@ TableSource::Interpolation TableSource::interpolation(const std::function<double
 }
 
 Estimate TableSource::Worker::at(const std::vector<double>& place) {
-  const std::vector<TableAxis>& axes = source_->axes_;
+  const TableSource& source = *source_;
+  const std::vector<std::size_t>& varied = source.model_axes_;
   bool is_same = model_ != nullptr;
-  double phi = 0;
-  const double* theta = nullptr;
-  const double* cosine = nullptr;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    switch (kind_of(axes[i])) {
-      case AxisKind::cos_theta:
-        cosine = &place[i];
-        break;
-      case AxisKind::theta:
-        theta = &place[i];
-        break;
-      case AxisKind::phi:
-        phi = place[i];
-        break;
-      case AxisKind::parameter:
-        is_same = is_same && place[i] == model_place_[i];
-    }
-  }
+  for (std::size_t k = 0; k < varied.size() && is_same; ++k) is_same = place[varied[k]] == model_place_[k];
   if (!is_same) {
-    model_ = source_->model_at(place);
-    model_place_ = place;
+    model_ = nullptr;  // also if there is none
+    model_place_.clear();
+    for (const std::size_t axis : varied) model_place_.push_back(place[axis]);
+    model_ = source.models_(model_place_);
   }
-  const Direction l = theta != nullptr ? Direction::from_degrees(*theta, phi) : Direction::from_cosine(*cosine, phi);
-  return directional_albedo(*model_, l, source_->options_.albedo);
+  const double phi = source.phi_ ? place[*source.phi_] : 0, polar = place[source.polar_];
+  const Direction l = source.is_in_degrees_ ? Direction::from_degrees(polar, phi) : Direction::from_cosine(polar, phi);
+  return directional_albedo(*model_, l, source.options_.albedo);
 }
 
 TableTally TableSource::Worker::fill(std::size_t first, std::span<double> values, std::span<double> errors) {
   const std::vector<TableAxis>& axes = source_->axes_;
   TableTally tally;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const std::vector<std::size_t> indices = indices_of(first + k, axes);
-    for (std::size_t i = 0; i < axes.size(); ++i) place_[i] = axes[i].values[indices[i]];
+    std::size_t rest = first + k;
+    for (std::size_t i = axes.size(); i-- > 0; rest /= axes[i].size())
+      place_[i] = axes[i].number(rest % axes[i].size());
     const Estimate a = at(place_);
     values[k] = a.value;
     if (!errors.empty()) errors[k] = a.error;
     tally.add(first + k, a);
   }
   return tally;
-}
-
-void TableTally::add(std::size_t entry, const Estimate& estimate) {
-  evaluations += estimate.evaluations;
-  if (estimate.status == Status::divergent) {
-    ++divergent;
-    return;
-  }
-  if (estimate.status != Status::converged) ++unconverged;
-  if (std::isfinite(estimate.value)) merge({.worst_error = estimate.error, .worst_entry = entry});
-}
-
-void TableTally::merge(const TableTally& other) {
-  // NaN is worse than any number.
-  const auto rank = [](double error) { return std::isnan(error) ? std::numeric_limits<double>::infinity() : error; };
-  const double ours = rank(worst_error), theirs = rank(other.worst_error);
-  if (theirs > ours || (theirs == ours && other.worst_entry < worst_entry)) {
-    worst_error = other.worst_error;
-    worst_entry = other.worst_entry;
-  }
-  unconverged += other.unconverged;
-  divergent += other.divergent;
-  evaluations += other.evaluations;
 }
 
 }  // namespace albedo

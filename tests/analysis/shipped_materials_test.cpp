@@ -28,9 +28,9 @@ std::vector<std::filesystem::path> shipped_files() {
 using Albedos = std::map<std::pair<std::string, std::size_t>, double>;
 Albedos albedos_of(const std::string& name) {
   const std::string path = (directory / (name + ".json")).string();
-  MaterialTable table(read_materials(path), path);
-  table.fill({"theta", {30}}, 0, {.verified_cells = 0});
-  const std::vector<std::string>& materials = table.label_axes()[0].labels;
+  const MaterialModels models(read_materials(path), path);
+  const AlbedoTable table(models.source({"theta", {30}}, 0, {.verified_cells = 0}));
+  const std::vector<std::string>& materials = models.axes()[0].labels;
   Albedos albedos;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -58,11 +58,10 @@ TEST(ShippedMaterials, EveryFileLoadsAndItsFirstMaterialHasAnAlbedo) {
   for (const auto& path : files) {
     std::vector<Material> materials = read_materials(path.string());
     EXPECT_GE(materials.size(), 82U) << path;
-    const MaterialTable all(materials, path.string());  // every parameter is in its range
-    EXPECT_EQ(all.label_axes()[0].labels.size(), materials.size()) << path;
+    const MaterialModels all(materials, path.string());  // every parameter is in its range
+    EXPECT_EQ(all.axes()[0].labels.size(), materials.size()) << path;
     materials.resize(1);
-    MaterialTable first(materials, path.string());
-    first.fill({"theta", {0, 60}}, 0, {});
+    const AlbedoTable first(MaterialModels(materials, path.string()).source({"theta", {0, 60}}, 0, {}));
     EXPECT_EQ(first.unconverged() + first.divergent(), 0U) << path;
     for (const double value : first.values()) {
       EXPECT_GT(value, 0) << path;

@@ -53,7 +53,7 @@ struct Sample {
     const auto random = [&] { return uniform(generator); };
     const Names axis_names{"alpha", "theta", "phi", "ior"};
     for (std::size_t i = 0; i < rank; ++i) {
-      Axis& axis = table.axes.emplace_back();
+      TableAxis& axis = table.axes.emplace_back();
       axis.name = axis_names[i];
       axis.unit = i == 0 ? "" : "deg";
       axis.values.resize(i + 2);
@@ -138,7 +138,7 @@ TEST_F(Tables, JsonReadsBack) {
       for (std::size_t i = 0; i < sample.values.size(); ++i) {
         nlohmann::json entry = json[is_error ? "error" : "albedo"];
         std::size_t block = sample.values.size();
-        for (const Axis& axis : sample.table.axes) {
+        for (const TableAxis& axis : sample.table.axes) {
           ASSERT_EQ(entry.size(), axis.size());
           entry = nlohmann::json(entry[i % block / (block / axis.size())]);
           block /= axis.size();
@@ -277,17 +277,17 @@ TEST_F(Tables, ExrHasLayersForThreeAxes) {
 }
 
 TEST_F(Tables, ExrRefusesWhatItCannotHold) {
-  const auto refused = [](const std::vector<Axis>& axes) {
+  const auto refused = [](const std::vector<TableAxis>& axes) {
     return message_of<ParameterError>([&] { check_exr_axes(axes); });
   };
-  const Axis axis{.name = "alpha", .values = {1, 2}};
+  const TableAxis axis{.name = "alpha", .values = {1, 2}};
   EXPECT_EQ(refused({axis, axis, axis, axis}), "output: .exr holds 1 to 3 axes, not 4; .npy holds any number");
   EXPECT_TRUE(contains(refused({}), "1 to 3 axes, not 0"));
-  EXPECT_TRUE(contains(refused({axis, Axis{.name = "theta"}}), "not 0 along 'theta'"));
+  EXPECT_TRUE(contains(refused({axis, TableAxis{.name = "theta"}}), "not 0 along 'theta'"));
   EXPECT_TRUE(
-      contains(refused({Axis{.name = "material", .labels = {"a", "a"}}, axis, axis}), "two channels 'material=a.Y'"));
+      contains(refused({TableAxis{.name = "material", .labels = {"a", "a"}}, axis, axis}), "two channels 'material=a.Y'"));
   EXPECT_TRUE(
-      contains(refused({Axis{.name = "material", .labels = {std::string(250, 'a')}}, axis, axis}), "255 bytes"));
+      contains(refused({TableAxis{.name = "material", .labels = {std::string(250, 'a')}}, axis, axis}), "255 bytes"));
   EXPECT_THROW(check_table_path(path("t.exr"), {axis, axis, axis, axis}), ParameterError);
   EXPECT_THROW(write_table(Sample(4).table, path("t.exr")), ParameterError);
   EXPECT_EQ(names(), Names{});

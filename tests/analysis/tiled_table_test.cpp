@@ -14,8 +14,8 @@ TableSource ggx(int threads) {
   return {"ggx", {}, two_axes, {.albedo = {.tolerance = 1e-6}, .threads = threads, .verified_cells = 4}};
 }
 
-std::vector<Axis> document_axes() {
-  std::vector<Axis> axes;
+std::vector<TableAxis> document_axes() {
+  std::vector<TableAxis> axes;
   for (const TableAxis& axis : two_axes) axes.push_back({.name = axis.name, .values = axis.values});
   return axes;
 }

@@ -134,6 +134,88 @@ TEST_F(CliTest, AFailureToWriteHasItsOwnExitCodeAndLeavesNothing) {
   EXPECT_EQ(read_text("file.csv"), "mine");
 }
 
+/// The one albedo that `albedo at` answers for these words at an angle.
+double albedo_at(const std::vector<std::string>& words, const std::string& theta) {
+  std::vector<std::string> line{"at"};
+  line.insert(line.end(), words.begin(), words.end());
+  const Outcome outcome = run_albedo(with(line, {"--theta", theta, "--json"}));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return Json::parse(outcome.out)["results"][0]["albedo"].get<double>();
+}
+
+TEST_F(CliTest, TableOfAChoiceHasAnAxisOfNames) {
+  const std::vector<std::string> line{"table",         "ggx",        "masking=correlated,separable",
+                                      "alpha=0.1,0.7", "theta=0,80", "-o"};
+  for (const std::string name : {"t.csv", "t.json", "u.npy", "t.exr", "t.hpp"}) {
+    const Outcome outcome = run_albedo(with(line, {name}));
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+  }
+  const Json table = Json::parse(read_text("t.json"));
+  EXPECT_EQ(table["axes"][0]["labels"], (Json{"correlated", "separable"}));
+  EXPECT_EQ(table["provenance"]["axes"]["masking"], (Json{{"count", 2}}));
+  EXPECT_FALSE(table["provenance"]["parameters"].contains("masking"));
+  EXPECT_EQ(table["albedo"][1][1][1], albedo_at({"ggx", "masking=separable", "alpha=0.7"}, "80"));
+  EXPECT_EQ(table["albedo"][0][1][1], albedo_at({"ggx", "masking=correlated", "alpha=0.7"}, "80"));
+  EXPECT_EQ(Json::parse(read_text("u.json"))["axes"], table["axes"]);
+  EXPECT_NE(read_text("t.csv").find("\nseparable,"), std::string::npos);
+  const Imf::InputFile image("t.exr");
+  EXPECT_NE(image.header().channels().findChannel("masking=separable.Y"), nullptr);
+}
+
+TEST_F(CliTest, TableOfASumVariesItsParts) {
+  ASSERT_EQ(run_albedo({"table", "sum", "lambert:rho=0.2", "ward:alpha=0.1", "theta=0,60", "-o", "t.json"}).code, 0);
+  EXPECT_EQ(Json::parse(read_text("t.json"))["albedo"][1],
+            albedo_at({"sum", "lambert:rho=0.2", "ward:alpha=0.1"}, "60"));
+
+  const Outcome outcome = run_albedo({"table", "sum", "lambert", "ward:rho_s=0.3", "1.rho=0.1:0.5:3", "2.alpha=0.1,0.4",
+                                      "2.weight=0.5", "theta=0,60", "-o", "u.json", "--json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json table = Json::parse(read_text("u.json"));
+  EXPECT_EQ(table["shape"], (Json{3, 2, 2}));
+  EXPECT_EQ(table["provenance"]["model"], "sum");
+  EXPECT_EQ(table["provenance"]["parameters"]["2.rho_s"], 0.3);
+  EXPECT_EQ(table["provenance"]["parameters"]["2.weight"], 0.5);
+  EXPECT_FALSE(table["provenance"]["parameters"].contains("1.rho"));
+  EXPECT_FALSE(table["provenance"]["parameters"].contains("2.alpha_x"));
+  EXPECT_EQ(table["albedo"][2][1][1],
+            albedo_at({"sum", "lambert:rho=0.5", "ward:rho_s=0.3,alpha=0.4,weight=0.5"}, "60"));
+}
+
+TEST_F(CliTest, TableOfCombinationsIsCorrectedAndHeldAsOthers) {
+  const std::vector<std::string> pumped{"sum", "lambert:rho=0.2", "phong:n=20", "--pump", "1"};
+  ASSERT_EQ(run_albedo(with(with({"table"}, pumped), {"theta=0,60", "-o", "t.json"})).code, 0);
+  EXPECT_EQ(Json::parse(read_text("t.json"))["albedo"][1], albedo_at(pumped, "60"));
+
+  ASSERT_EQ(
+      run_albedo({"table", "coupled", "ggx:f0=0.04", "r_m=0,0.5", "surface.alpha=0.2,0.6", "theta=0,60", "-o", "u.npy"})
+          .code,
+      0);
+  const std::string npy = read_text("u.npy");
+  double last = 0;
+  std::memcpy(&last, npy.data() + npy.size() - sizeof last, sizeof last);
+  EXPECT_EQ(last, albedo_at({"coupled", "ggx:f0=0.04,alpha=0.6", "r_m=0.5"}, "60"));
+}
+
+TEST_F(CliTest, TableSaysWhatOfACombinationCantVary) {
+  const auto refused = [](const std::vector<std::string>& words, const std::string& says) {
+    const Outcome outcome = run_albedo(with(with({"table"}, words), {"theta=0,60", "-o", "t.json"}));
+    EXPECT_EQ(outcome.code, 2) << says;
+    EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
+    EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+  };
+  refused({"sum", "lambert", "rho=0.1,0.2"}, "begin with the part's number, such as 1.weight");
+  refused({"sum", "lambert", "2.rho=0.1,0.2"}, "sum has no parameter '2.rho'");
+  refused({"sum", "lambert:rho=0.2", "1.rho=0.1,0.2"}, "rho is set twice");
+  refused({"sum", "lambert", "1.weight=1", "1.weight=2"}, "1.weight is set twice");
+  refused({"sum", "lambert", "1.rho=0.1,2"}, "rho is 2");
+  refused({"sum", "lambert", "ward", "2.weight=0,-1"}, "weight of part 2 is -1");
+  refused({"coupled", "ggx", "alpha=0.1,0.2"}, "such as surface.alpha");
+  refused({"coupled", "ggx", "r_m=0,2"}, "r_m is 2");
+  refused({"ggx", "masking=none,none"}, "has 'none' twice");
+  refused({"ggx", "masking=none,separable", "--fill", "proxy"}, "the axis 'masking' holds names");
+  EXPECT_TRUE(files().empty());
+}
+
 TEST_F(CliTest, MaterialsHaveARowForEveryChannel) {
   write_text("m.jsonl", R"({"name": "grey", "model": "lambert", "parameters": {"rho": 0.5}})"
                         "\n"

@@ -56,8 +56,8 @@ class UnfinishedTable {
     return {.command = "albedo table lambert", .computation = {{"tolerance", 1e-3}}, .resume = resume, .tile = 2};
   }
 
-  [[nodiscard]] std::vector<analysis::Axis> document_axes() const {
-    std::vector<analysis::Axis> result;
+  [[nodiscard]] std::vector<TableAxis> document_axes() const {
+    std::vector<TableAxis> result;
     for (const TableAxis& axis : source_.axes()) result.push_back({.name = axis.name, .values = axis.values});
     return result;
   }

@@ -10,7 +10,10 @@
 #include <stdexcept>
 #include <thread>
 
+#include "albedo/combinators/sum.hpp"
 #include "albedo/core/errors.hpp"
+#include "albedo/table_growth.hpp"
+#include "albedo/table_source.hpp"
 
 namespace albedo {
 namespace {
@@ -165,6 +168,84 @@ TEST(Table, CarriesExceptionsOutOfItsThreads) {
                std::runtime_error);
 }
 
+const TableAxis masking{.name = "masking", .labels = {"correlated", "separable", "none"}};
+
+TEST(Table, AnAxisOfNamesIsAChoice) {
+  const AlbedoTable table("ggx", {{"f0", 0.5}}, {{"alpha", {0.2, 0.7}}, masking, {"theta", {0, 40, 80}}});
+  std::size_t entry = 0;
+  for (const double alpha : {0.2, 0.7}) {
+    for (const std::string& name : masking.labels) {
+      for (const double theta : {0, 40, 80}) {
+        const auto model = make_model("ggx", {{"f0", 0.5}, {"masking", name}, {"alpha", alpha}});
+        EXPECT_EQ(table.values().at(entry++), directional_albedo(*model, Direction::from_degrees(theta)).value);
+      }
+    }
+  }
+  EXPECT_EQ(table.values().size(), entry);
+}
+
+TEST(Table, InterpolatesWithinANameOnly) {
+  const auto error_of = [](const std::vector<TableAxis>& axes) {
+    return AlbedoTable("ggx", {}, axes).interpolation_error();
+  };
+  const TableAxis theta{"theta", range(0, 80, 5)};
+  double largest = 0;
+  for (const std::string& name : masking.labels) {
+    largest = std::max(largest, error_of({{.name = "masking", .labels = {name}}, theta}));
+  }
+  EXPECT_EQ(error_of({masking, theta}), largest);
+  EXPECT_EQ(error_of({theta, masking}), largest);
+}
+
+/// A sum whose weights are the place, and a count of how many were made.
+struct CountedSums {
+  std::shared_ptr<int> made = std::make_shared<int>(0);
+  std::shared_ptr<const Model> operator()(const std::vector<double>& place) const {
+    ++*made;
+    std::vector<SumModel::Part> parts(2);
+    parts[0] = {place.at(0), make_model("lambert", {{"rho", 0.5}})};
+    parts[1] = {place.at(1), make_model("ward")};
+    return std::make_shared<SumModel>(std::move(parts));
+  }
+};
+
+TEST(Table, VariesAnyModels) {
+  const CountedSums sums;
+  const TableOptions options{.threads = 1, .verified_cells = 0};
+  const std::vector<TableAxis> axes{{"a", {0.25, 0.5}}, {"theta", {0, 60}}, {.name = "b", .labels = {"off", "on"}}};
+  const AlbedoTable table(TableSource(sums, axes, options));
+  const auto ward = make_model("ward");
+  std::size_t entry = 0;
+  for (const double a : {0.25, 0.5}) {
+    for (const double theta : {0, 60}) {
+      const double alone = directional_albedo(*ward, Direction::from_degrees(theta)).value;
+      for (const double b : {0, 1}) EXPECT_NEAR(table.values().at(entry++), 0.5 * a + b * alone, 2e-8);
+    }
+  }
+  EXPECT_EQ(*sums.made, 8);  // b is the fastest
+  const CountedSums others;
+  EXPECT_EQ(AlbedoTable(TableSource(kept(others), axes, options)).values(), table.values());
+  EXPECT_EQ(*others.made, 4);
+  EXPECT_THROW(TableSource(sums, {axes[0], axes[2]}, options), ParameterError);
+  EXPECT_THROW(TableSource(sums, {axes[0], axes[0], axes[1]}, options), ParameterError);
+  EXPECT_THROW(TableSource(sums, axes, {.correction = [](std::unique_ptr<Model> model) { return model; }}),
+               ParameterError);
+}
+
+TEST(Table, GrowsWithinNamesWhereverTheyStand) {
+  const TableEntries entries = [](const std::vector<TableAxis>& axes) {
+    return AlbedoTable("ggx", {}, axes, {.verified_cells = 0}).values();
+  };
+  const TableAxis theta{"theta", range(0, 80, 3)};
+  const GrownTable first = grown({masking, theta}, entries, {.max_error = 1e-3});
+  const GrownTable last = grown({theta, masking}, entries, {.max_error = 1e-3});
+  EXPECT_TRUE(first.is_reached);
+  EXPECT_GT(first.axes[1].size(), 3U);
+  EXPECT_EQ(first.axes[1].values, last.axes[0].values);
+  EXPECT_EQ(first.error, last.error);
+  EXPECT_EQ(first.axes[0].labels, masking.labels);
+}
+
 struct Refused {
   std::string model;
   Parameters fixed;
@@ -188,6 +269,9 @@ TEST(Table, RefusesWhatMakesNoSenseAndSaysWhy) {
       {"ggx", {}, {{"cos_theta", {-0.1}}}, "cos_theta is -0.1"},
       {"ggx", {}, {theta, {"phi", {infinity}}}, "phi is inf"},
       {"ggx", {}, {theta, {"masking", {1}}}, "masking is a choice of names and can't be an axis"},
+      {"ggx", {}, {theta, {.name = "masking", .labels = {"none", "nine"}}}, "masking is 'nine'"},
+      {"ggx", {}, {theta, {.name = "alpha", .labels = {"rough"}}}, "alpha_x"},
+      {"ggx", {}, {{.name = "theta", .labels = {"steep"}}}, "theta is a direction and its axis holds numbers"},
       {"ggx", {}, {theta, theta}, "theta is varied twice"},
       {"ggx", {}, {theta, {"alpha", {0.1}}, {"alpha_x", {0.1}}}, "varied twice, by the axes 'alpha' and 'alpha_x'"},
       {"ggx",

@@ -12,6 +12,7 @@
 #include "analysis/scenes/plan/sharing.hpp"
 #include "analysis/scenes/plan/verify.hpp"
 #include "analysis/subjects/material_table.hpp"
+#include "core/text.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -74,9 +75,7 @@ std::size_t Plan::unknown() const {
 
 void check_plan_options(const PlanOptions& options) {
   const auto refuse = [](const std::string& what, double value, const std::string& range) {
-    std::string number;
-    append_number(number, value);
-    throw ParameterError(what + " is " + number + " and must be within " + range);
+    throw ParameterError(fmt::format("{} is {} and must be within {}", what, number_text(value), range));
   };
   if (!(options.tolerance >= 1e-5 && options.tolerance <= 0.5)) refuse("error", options.tolerance, "[1e-5, 0.5]");
   if (!(options.least_theta >= 0 && options.least_theta < options.largest_theta)) {

@@ -20,7 +20,7 @@ TableDocument document_of(const PlanTable& planned, const Plan& plan, const nloh
   const PlannedSurface& table = planned.table;
   if (!table.second.empty()) {
     const std::string unit = planned.second == "phi" ? "degrees" : "";
-    document.axes.push_back({.name = planned.second, .unit = unit, .values = table.second});
+    document.axes.push_back({.name = planned.second, .values = table.second, .unit = unit});
   }
   document.axes.push_back({.name = "cos_theta", .values = table.cosines});
   document.values = table.values.data();
