@@ -139,8 +139,6 @@ void check_one_channel(const std::vector<Assertion>& assertions, const std::vect
       assertions, [](double, double) { return false; }, "there are several channels; channel=R is one of them");
 }
 
-std::string name_of(PumpControl control) { return std::string(to_string(control)); }
-
 std::vector<OptionSyntax> add_pump_kind(const Syntax& command, PumpOptions& options) {
   add_choice(
       command, "--control", all_controls, options.control,
@@ -181,49 +179,6 @@ std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& mod
     return {assignment.name, parse_number(model.name + ": " + assignment.name, assignment.text)};
   }
   return {assignment.name, 0.0};  // make_model refuses the name
-}
-
-nlohmann::ordered_json model_json(const Model& model, bool several_channels) {
-  Parameters parameters = model.parameters();
-  if (several_channels) {
-    std::erase_if(parameters, [&](const auto& parameter) {
-      const ParameterInfo* info = model.info().find(parameter.first);
-      return info != nullptr && info->is_choice() && info->per_channel;
-    });
-  }
-  return {{"model", model.info().name}, {"parameters", parameters_json(parameters)}};
-}
-
-nlohmann::ordered_json corrections_json(const Corrections& corrections) {
-  auto object = nlohmann::ordered_json::object();
-  if (corrections.pump.times > 0) {
-    object = {{"pump", corrections.pump.times},
-              {"control", name_of(corrections.pump.control)},
-              {"only_up", corrections.pump.only_up}};
-  }
-  if (corrections.correct != Correction::none) {
-    object["correct"] = name_of(corrections.correct);
-    object["rho"] = corrections.rho;
-  }
-  return object;
-}
-
-std::string parameters_text(const Parameters& parameters, int digits) {
-  std::string text;
-  for (const auto& [name, value] : parameters) {
-    text.append(text.empty() ? "" : " ").append(name).append("=");
-    text += std::holds_alternative<double>(value) ? number_text(std::get<double>(value), digits)
-                                                  : std::get<std::string>(value);
-  }
-  return text;
-}
-
-nlohmann::ordered_json parameters_json(const Parameters& parameters) {
-  auto object = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : parameters) {
-    std::visit([&, &key = name](const auto& item) { object[key] = item; }, value);
-  }
-  return object;
 }
 
 }  // namespace albedo::analysis

@@ -16,6 +16,7 @@
 #include "albedo/corrections.hpp"
 #include "analysis/commands/syntax.hpp"
 #include "analysis/subjects/composition.hpp"
+#include "analysis/subjects/model_text.hpp"
 #include "analysis/text/assertion.hpp"
 #include "analysis/text/value.hpp"
 
@@ -51,8 +52,6 @@ void check_one_channel(const std::vector<Assertion>& assertions, const std::vect
 /// Adds MODEL and PARAMETERS and, unless the command has corrections of its own, those that make() applies.
 void add_model_arguments(const Syntax& command, ModelArguments& arguments, bool can_correct = true);
 
-/// As on the command line.
-std::string name_of(PumpControl control);
 inline constexpr std::array all_controls{PumpControl::none, PumpControl::step, PumpControl::total};
 
 /// Adds --pump, --control, --only-up, --correct and --rho, which ask for what `needed` is, if anything.
@@ -64,17 +63,5 @@ std::vector<OptionSyntax> add_pump_kind(const Syntax& command, PumpOptions& opti
 /// The value of a model's parameter: a number taken strictly, or the name of a choice. Whether the model has such a
 /// parameter, and its range, is make_model's to say.
 std::pair<std::string, albedo::ParameterValue> parameter_of(const ModelInfo& model, const Assignment& assignment);
-
-/// {"model": "ward", "parameters": {...}}; without the channel where there are several.
-nlohmann::ordered_json model_json(const Model& model, bool several_channels);
-
-/// {"pump": 2, "control": "none", "only_up": false, "correct": "balance", "rho": 1}, as far as they do anything
-nlohmann::ordered_json corrections_json(const Corrections& corrections);
-
-/// alpha_x=0.1 masking=none, numbers with so many digits
-std::string parameters_text(const Parameters& parameters, int digits = 17);
-
-/// {"alpha_x": 0.1, "masking": "none"}
-nlohmann::ordered_json parameters_json(const Parameters& parameters);
 
 }  // namespace albedo::analysis

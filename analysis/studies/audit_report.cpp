@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/commands/model_arguments.hpp"
 #include "analysis/files/csv_writer.hpp"
 #include "analysis/files/study_file.hpp"
+#include "analysis/subjects/model_text.hpp"
 #include "analysis/text/text.hpp"
 #include "numerics/larger.hpp"
 

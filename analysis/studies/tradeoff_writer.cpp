@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "analysis/commands/model_arguments.hpp"
 #include "analysis/files/csv_writer.hpp"
 #include "analysis/files/study_file.hpp"
+#include "analysis/subjects/model_text.hpp"
 #include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
