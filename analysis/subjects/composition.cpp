@@ -71,9 +71,8 @@ Composition::Target Composition::target(const std::string& parameter) const {
     const std::string own = parameter.substr(number.size());
     return {.kind = own == "weight" ? Target::Kind::weight : Target::Kind::parameter, .part = i, .parameter = own};
   }
-  throw ParameterError(
-      fmt::format("sum has no parameter '{}'; those of its {} parts begin with the part's number, such as 1.weight",
-                  parameter, parts.size()));
+  throw ParameterError(fmt::format(
+      "sum has no parameter '{}'; those of its parts begin with their number, such as 1.weight", parameter));
 }
 
 const ParameterInfo* Composition::info(const Target& target) const {

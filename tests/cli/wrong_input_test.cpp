@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
                       at({"sum", "lambert:weight=x"}, "weight: 'x' is not a finite number"),
                       at({"sum", "lambert:weight=1,weight=2"}, "weight set twice"),
                       at({"sum", "sum:lambert"}, "'sum:lambert' is not a model of its own and can't be a part"),
-                      Case{{"table", "sum", "lambert", "-o", "x.csv"}, "sum"}));
+                      Case{{"table", "sum", "lambert:rho=0.1:0.5:3", "-o", "x.csv"},
+                           "'0.1:0.5:3' is not a finite number"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Options, WrongInput,
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{{"table", "ggx", "alpha=0.1:1:0", "-o", "x.csv"}, "count"},
                       Case{{"table", "ggx", "alhpa=0.1:1:3", "-o", "x.csv"}, "did you mean 'alpha'?"},
                       Case{{"table", "ggx", "alpha=0.1:1:3", "alpha_x=0.3", "-o", "x.csv"}, "alpha_x is set twice"},
-                      Case{{"table", "ggx", "masking=correlated,separable", "-o", "x.csv"}, "masking is a choice"},
+                      Case{{"table", "ggx", "masking=correlated,smith", "-o", "x.csv"}, "masking is 'smith'"},
                       Case{{"table", "ggx", "theta=0:91:5", "-o", "x.csv"}, "91"},
                       Case{{"table", "ggx", "cos_theta=0:2:5", "-o", "x.csv"}, "cos_theta is "},
                       Case{{"table", "ggx", "theta=0,1", "cos_theta=1", "-o", "x.csv"}, "polar angle is given twice"},

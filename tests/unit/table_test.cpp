@@ -168,7 +168,7 @@ TEST(Table, CarriesExceptionsOutOfItsThreads) {
                std::runtime_error);
 }
 
-const TableAxis masking{.name = "masking", .labels = {"correlated", "separable", "none"}};
+const TableAxis masking{.name = "masking", .labels = {"correlated", "separable"}};
 
 TEST(Table, AnAxisOfNamesIsAChoice) {
   const AlbedoTable table("ggx", {{"f0", 0.5}}, {{"alpha", {0.2, 0.7}}, masking, {"theta", {0, 40, 80}}});
@@ -237,8 +237,8 @@ TEST(Table, GrowsWithinNamesWhereverTheyStand) {
     return AlbedoTable("ggx", {}, axes, {.verified_cells = 0}).values();
   };
   const TableAxis theta{"theta", range(0, 80, 3)};
-  const GrownTable first = grown({masking, theta}, entries, {.max_error = 1e-3});
-  const GrownTable last = grown({theta, masking}, entries, {.max_error = 1e-3});
+  const GrownTable first = grown({masking, theta}, entries, {.max_error = 1e-2});
+  const GrownTable last = grown({theta, masking}, entries, {.max_error = 1e-2});
   EXPECT_TRUE(first.is_reached);
   EXPECT_GT(first.axes[1].size(), 3U);
   EXPECT_EQ(first.axes[1].values, last.axes[0].values);
@@ -269,7 +269,7 @@ TEST(Table, RefusesWhatMakesNoSenseAndSaysWhy) {
       {"ggx", {}, {{"cos_theta", {-0.1}}}, "cos_theta is -0.1"},
       {"ggx", {}, {theta, {"phi", {infinity}}}, "phi is inf"},
       {"ggx", {}, {theta, {"masking", {1}}}, "masking is a choice of names and can't be an axis"},
-      {"ggx", {}, {theta, {.name = "masking", .labels = {"none", "nine"}}}, "masking is 'nine'"},
+      {"ggx", {}, {theta, {.name = "masking", .labels = {"separable", "nine"}}}, "masking is 'nine'"},
       {"ggx", {}, {theta, {.name = "alpha", .labels = {"rough"}}}, "alpha_x"},
       {"ggx", {}, {{.name = "theta", .labels = {"steep"}}}, "theta is a direction and its axis holds numbers"},
       {"ggx", {}, {theta, theta}, "theta is varied twice"},
