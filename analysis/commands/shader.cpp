@@ -40,7 +40,8 @@ std::vector<std::vector<double>> places_of(const std::vector<TableAxis>& axes) {
 
 /// The parameters' axes of a request for a table, whose last one is that of cosθ unless a direction is given.
 std::vector<TableAxis> parameter_axes(const ModelArguments& arguments, const TableRequest& request) {
-  for (const Assignment& assignment : arguments.assignments()) {
+  const auto [model, assignments] = arguments.varied_composition();
+  for (const Assignment& assignment : assignments) {
     if (assignment.name != "theta" && assignment.name != "cos_theta" && assignment.name != "phi") continue;
     throw ParameterError(assignment.name + " is given, but a shader's tables are over all of cos_theta");
   }

@@ -8,6 +8,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+TEST_F(CliTest, ShaderTablesOfASumAndOfNames) {
+  const std::string sum =
+      run_albedo({"shader", "sum", "lambert:rho=0.2", "phong", "2.n=1,30", "--pump", "1", "-o", "s.json"}).err;
+  EXPECT_EQ(sum, "");
+  EXPECT_NE(read_text("s.json").find("\"2.n\""), std::string::npos);
+  const std::string names =
+      run_albedo({"shader", "ggx", "masking=correlated,separable", "--correct", "balance", "-o", "n.json"}).err;
+  EXPECT_EQ(names, "");
+  EXPECT_NE(read_text("n.json").find("[\"correlated\", \"separable\"]"), std::string::npos);
+}
+
 TEST_F(CliTest, ShaderWritesAFunctionForEachStep) {
   const Outcome outcome = run_albedo(
       {"shader", "phong", "n=10,20,40", "--pump", "2", "--resolution", "128", "--json", "--output", "phong.json"});
