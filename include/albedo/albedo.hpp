@@ -4,7 +4,8 @@
 /// The directional albedo a(L) = ∫ f(L,V) cosθ_V dω_V of reflectance models, with errors that can be believed.
 /// Start at albedo::make_model and albedo::directional_albedo; albedo::AlbedoCurve and albedo::AlbedoTable tabulate,
 /// albedo::AlbedoProxy and albedo::rational_form approximate. This header is all of it; registry.hpp (models of one's
-/// own) and reference.hpp read 113-bit arithmetic, which takes seconds to compile: what needs neither includes the rest.
+/// own) and reference.hpp read 113-bit arithmetic, which takes seconds to compile: what needs neither includes the
+/// rest.
 
 #include "albedo/audit.hpp"
 #include "albedo/balance.hpp"

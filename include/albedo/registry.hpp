@@ -53,7 +53,7 @@ concept HasFormula = EvaluatesIn<M, double> && EvaluatesIn<M, float> && Evaluate
 ///     template <class T> T evaluate(int component, const DirectionPair<T>&) const noexcept;   f(L,V) of one lobe
 ///     [1/sr]
 ///
-/// and, where there is one, a sampler (Samplable), template <class T> T coherent_albedo(l), and load(), called once the
+/// and, where there is one, a sampler (Samplable), a template coherent_albedo<T>(l), and load(), called once the
 /// parameters are set.
 template <class M>
 concept ModelStruct = std::default_initializable<M> && std::copyable<M> && detail::HasInfo<M> &&

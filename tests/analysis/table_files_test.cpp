@@ -284,8 +284,8 @@ TEST_F(Tables, ExrRefusesWhatItCannotHold) {
   EXPECT_EQ(refused({axis, axis, axis, axis}), "output: .exr holds 1 to 3 axes, not 4; .npy holds any number");
   EXPECT_TRUE(contains(refused({}), "1 to 3 axes, not 0"));
   EXPECT_TRUE(contains(refused({axis, TableAxis{.name = "theta"}}), "not 0 along 'theta'"));
-  EXPECT_TRUE(
-      contains(refused({TableAxis{.name = "material", .labels = {"a", "a"}}, axis, axis}), "two channels 'material=a.Y'"));
+  EXPECT_TRUE(contains(refused({TableAxis{.name = "material", .labels = {"a", "a"}}, axis, axis}),
+                       "two channels 'material=a.Y'"));
   EXPECT_TRUE(
       contains(refused({TableAxis{.name = "material", .labels = {std::string(250, 'a')}}, axis, axis}), "255 bytes"));
   EXPECT_THROW(check_table_path(path("t.exr"), {axis, axis, axis, axis}), ParameterError);

@@ -12,7 +12,8 @@ inline constexpr int block_width = 8;
 
 }  // namespace albedo
 
-namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET {
+namespace albedo::detail {
+inline namespace ALBEDO_INSTRUCTION_SET {
 
 inline constexpr int block_parts = block_width / vector_width;
 
@@ -27,9 +28,11 @@ template <class Result, class Function>
   return result;
 }
 
-}  // namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET
+}  // namespace ALBEDO_INSTRUCTION_SET
+}  // namespace albedo::detail
 
-namespace albedo::inline ALBEDO_INSTRUCTION_SET {
+namespace albedo {
+inline namespace ALBEDO_INSTRUCTION_SET {
 
 /// A truth value per lane: the result of comparing blocks.
 struct BlockMask {
@@ -116,9 +119,11 @@ struct alignas(block_width * sizeof(double)) Block {
   }
 };
 
-}  // namespace albedo::inline ALBEDO_INSTRUCTION_SET
+}  // namespace ALBEDO_INSTRUCTION_SET
+}  // namespace albedo
 
-namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET {
+namespace albedo::detail {
+inline namespace ALBEDO_INSTRUCTION_SET {
 
 /// A function of the machine's vector, on every part.
 template <Vector (*function)(Vector)>
@@ -131,9 +136,11 @@ template <Vector (*function)(Vector)>
   return result;
 }
 
-}  // namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET
+}  // namespace ALBEDO_INSTRUCTION_SET
+}  // namespace albedo::detail
 
-namespace albedo::inline ALBEDO_INSTRUCTION_SET {
+namespace albedo {
+inline namespace ALBEDO_INSTRUCTION_SET {
 
 /// `a` where the mask holds, `b` elsewhere.
 [[gnu::always_inline]] inline Block select(const BlockMask& mask, const Block& a, const Block& b) {
@@ -180,4 +187,5 @@ inline Block tan(const Block& x) {
   return Block::generate([&](int lane) { return std::tan(x[lane]); });
 }
 
-}  // namespace albedo::inline ALBEDO_INSTRUCTION_SET
+}  // namespace ALBEDO_INSTRUCTION_SET
+}  // namespace albedo

@@ -19,7 +19,8 @@
 ///
 /// The functions are straight-line code and the same on every machine but for the rounding of fused operations, which
 /// they ask for by name. Errors are in units in the last place, as tests/unit/block_test.cpp measures them.
-namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET {
+namespace albedo::detail {
+inline namespace ALBEDO_INSTRUCTION_SET {
 
 #if defined(__AVX512F__)
 inline constexpr int vector_bytes = 64;
@@ -234,4 +235,5 @@ inline Vector arc_tangent(Vector x) {
   return from_bits(bits(result) | (bits(x) & sign_bit));
 }
 
-}  // namespace albedo::detail::inline ALBEDO_INSTRUCTION_SET
+}  // namespace ALBEDO_INSTRUCTION_SET
+}  // namespace albedo::detail
