@@ -12,6 +12,7 @@
 #include "analysis/text/progress.hpp"
 #include "analysis/text/text.hpp"
 #include "numerics/larger.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -27,11 +28,11 @@ struct Arguments {
 };
 
 struct Result {
-  std::string channel;  ///< empty where there is only one
-  double theta;
-  Estimate estimate;
-  double seconds;
-  double coherent;  ///< the part of the albedo that is a delta in the mirror direction
+  std::string channel{};  ///< empty where there is only one
+  double theta = 0;
+  Estimate estimate{};
+  double seconds = 0;
+  double coherent = 0;  ///< the part of the albedo that is a delta in the mirror direction
 };
 
 bool any_coherent(const std::vector<Result>& results) {
@@ -43,18 +44,20 @@ using Models = std::vector<std::pair<std::string, std::unique_ptr<Model>>>;
 
 std::vector<Result> compute(const Models& models, const Arguments& arguments) {
   using Clock = std::chrono::steady_clock;
-  std::vector<Result> results;
+  std::vector<Direction> directions;  // refused in the order in which they are given
+  for (const double theta : arguments.thetas) directions.push_back(Direction::from_degrees(theta, arguments.phi));
+  std::vector<Result> results(models.size() * directions.size());
   ProgressBar progress;
-  for (const auto& [channel, model] : models) {
-    for (const double theta : arguments.thetas) {
-      const auto begin = Clock::now();
-      const Direction l = Direction::from_degrees(theta, arguments.phi);
-      const Estimate estimate = directional_albedo(*model, l, arguments.options.albedo());
-      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-      results.push_back({channel, theta, estimate, seconds, static_cast<double>(model->coherent_albedo(l))});
-      progress.update(results.size(), models.size() * arguments.thetas.size());
-    }
-  }
+  const auto compute_one = [&](std::size_t i) {
+    const auto& [channel, model] = models[i / directions.size()];
+    const std::size_t place = i % directions.size();
+    const auto begin = Clock::now();
+    const Estimate estimate = directional_albedo(*model, directions[place], arguments.options.albedo());
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    results[i] = {channel, arguments.thetas[place], estimate, seconds, model->coherent_albedo(directions[place])};
+  };
+  in_parallel(results.size(), arguments.options.threads, compute_one,
+              [&](std::size_t done, std::size_t total) { progress.update(done, total); });
   return results;
 }
 

@@ -19,6 +19,7 @@
 #include "analysis/text/text.hpp"
 #include "analysis/text/value.hpp"
 #include "numerics/larger.hpp"
+#include "numerics/parallel.hpp"
 
 namespace albedo::analysis {
 namespace {
@@ -191,6 +192,9 @@ int run(const Arguments& arguments, const std::string& command_line) {
     return run_rational(arguments, *models.front(), output, command_line);
   }
   if (arguments.coefficients) throw ParameterError("--coefficients is of --form rational only");
+  if (arguments.options.threads > 0 && channels.size() == 1) {
+    throw ParameterError("--threads is of several channels, or of --form rational: a curve's nodes follow one another");
+  }
   check_answerable(
       arguments.assertions, [&](double, double phi) { return phi == arguments.phi; },
       "the curve is that of another --phi");
@@ -203,8 +207,10 @@ int run(const Arguments& arguments, const std::string& command_line) {
 
   CurveOptions options{.albedo = arguments.options.albedo()};
   options.phi_degrees = arguments.phi;
+  std::vector<std::optional<AlbedoCurve>> made(channels.size());
+  in_parallel(made.size(), arguments.options.threads, [&](std::size_t i) { made[i].emplace(*models[i], options); });
   std::vector<ChannelCurve> curves;
-  for (std::size_t i = 0; i < channels.size(); ++i) curves.push_back({channels[i], AlbedoCurve(*models[i], options)});
+  for (std::size_t i = 0; i < made.size(); ++i) curves.push_back({channels[i], *std::move(made[i])});
 
   const Json description = describe(describe(*models.front(), arguments, channels.size() > 1), curves);
   if (!output.empty()) {

@@ -175,5 +175,23 @@ TEST_F(CliTest, AFullDeviceIsAFailureToWrite) {
   }
 }
 
+TEST_F(CliTest, AtAnswersTheSameOnAnyNumberOfThreads) {
+  const auto on_threads = [&](const std::string& count) {
+    const Outcome outcome = run_albedo({"at", "sum", "ggx:alpha=0.3,weight=0.5", "phong:n=7,weight=0.5", "--theta",
+                                        "0,89,15,60,30,75,45,85,5", "--threads", count});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string alone = on_threads("1");
+  EXPECT_EQ(on_threads("4"), alone);
+  EXPECT_LT(alone.find("89"), alone.find("75"));  // in the order in which they were asked for
+}
+
+TEST_F(CliTest, AtNamesTheFirstDirectionThatIsNone) {
+  const Outcome outcome = run_albedo({"at", "ward", "--theta", "0,91,92", "--threads", "4"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("91"), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace albedo::test

@@ -47,5 +47,13 @@ TEST_F(CliTest, CurveInterpolatesForAssertions) {
   EXPECT_EQ(line_count(outcome.err), 1U) << outcome.err;
 }
 
+TEST_F(CliTest, CurveRefusesThreadsThatItWouldNotUse) {
+  const Outcome outcome = run_albedo({"curve", "ward", "--tolerance", "1e-4", "--threads", "2"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("--threads is of several channels, or of --form rational"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+}
+
 }  // namespace
 }  // namespace albedo::test

@@ -6,20 +6,20 @@
 
 ALBEDO_FUZZ_TARGET(options) {
   using namespace albedo;
-  std::vector<std::string> words = fuzz::words(input);
-  CLI::App app("options");
+  const std::vector<std::string> words = fuzz::words(input);
+  std::vector<const char*> arguments_of_main{"albedo", "options"};
+  for (const std::string& word : words) arguments_of_main.push_back(word.c_str());
+  analysis::ProgramSyntax program("fuzzed", "albedo", "albedo");
+  const analysis::Syntax command = program.subcommand("options", "");
   analysis::ComputeOptions compute;
   analysis::ModelArguments arguments;
   std::vector<analysis::Assertion> assertions;
-  analysis::add_compute_options(app, compute);
-  analysis::add_model_arguments(app, arguments);
-  analysis::add_assert_option(app, assertions);
-  app.allow_extras();
-  std::ranges::reverse(words);  // as CLI11 takes them
+  analysis::add_compute_options(command, compute);
+  analysis::add_model_arguments(command, arguments);
+  analysis::add_assert_option(command, assertions);
   try {
-    app.parse(words);
-  } catch (const CLI::Error&) {  // --help too
-    return;
+    if (program.parse(static_cast<int>(arguments_of_main.size()), arguments_of_main.data())) return;  // --help
+    command.check_understood();
   } catch (const ParameterError& error) {
     fuzz::require(!std::string_view(error.what()).empty(), "a message without text");
     return;
