@@ -83,7 +83,7 @@ std::vector<double> AlbedoProxy::AxisOfProxy::points() const {
 AlbedoProxy::AlbedoProxy(const std::vector<TableAxis>& axes, const ProxyEntries& entries, const ProxyOptions& options)
     : tolerance_(options.tolerance) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    throw ParameterError(fmt::format("the tolerance of a proxy is {:f} and must be within (0, 1)", options.tolerance));
+    throw ParameterError(fmt::format("the tolerance of a proxy is {:g} and must be within (0, 1)", options.tolerance));
   }
   for (const TableAxis& axis : axes) {
     if (axis.is_categorical()) {

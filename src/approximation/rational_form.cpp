@@ -9,6 +9,7 @@
 #include "albedo/core/errors.hpp"
 #include "albedo/curve.hpp"
 #include "approximation/rational_trial.hpp"
+#include "core/text.hpp"
 #include "numerics/parallel.hpp"
 
 namespace albedo {
@@ -204,14 +205,13 @@ RationalFit best_of(std::vector<RationalTrial>& trials, const std::vector<Ration
 
 void check(const RationalOptions& options) {
   if (options.most_coefficients < 3) {
-    throw ParameterError("most_coefficients is " + std::to_string(options.most_coefficients) +
-                         " and must be at least 3");
+    throw ParameterError(fmt::format("most_coefficients is {} and must be at least 3", options.most_coefficients));
   }
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
-    throw ParameterError("tolerance is " + std::to_string(options.tolerance) + " and must be within (0, 1)");
+    throw ParameterError(fmt::format("tolerance is {:g} and must be within (0, 1)", options.tolerance));
   }
   if (!(options.last_theta >= 1 && options.last_theta < 90)) {
-    throw ParameterError("last_theta is " + std::to_string(options.last_theta) + " and must be within [1, 90)");
+    throw ParameterError(fmt::format("last_theta is {:g} and must be within [1, 90)", options.last_theta));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/text/percent.hpp"
 #include "analysis/text/text.hpp"
 
 namespace albedo::analysis {
@@ -18,8 +19,6 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 void add_once(std::vector<std::string>& list, const std::string& text) {
   if (std::ranges::find(list, text) == list.end()) list.push_back(text);
 }
-
-std::string percent(double part) { return number_text(std::round(part * 1000) / 10, 4) + '%'; }
 
 /// What a white lobe loses and makes.
 std::string loss_text(double least, double most) {

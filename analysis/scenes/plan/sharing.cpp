@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/text/percent.hpp"
+
 namespace albedo::analysis {
 namespace {
 
@@ -16,11 +18,6 @@ struct Group {
 
 /// What is left of the tolerance for what lies between the places of the grid, and for errors of the samples.
 constexpr double planned_share = 0.995;
-
-std::string percent(double part) {
-  std::string text = std::to_string(std::round(part * 1000) / 10);
-  return text.substr(0, text.find('.') + 2) + " %";
-}
 
 std::string reason_of(const PlanCase& planned) {
   const double loss = 1 - planned.least_white.value, gain = planned.most_white.value - 1;
