@@ -31,13 +31,12 @@ std::vector<BuiltInModel> built_in_part<3>();
 
 /// All of them, in the order of models/all.hpp.
 inline std::vector<BuiltInModel> built_in_models() {
-  const std::array parts{built_in_part<0>(), built_in_part<1>(), built_in_part<2>(), built_in_part<3>()};
-  static_assert(std::tuple_size_v<decltype(parts)> == built_in_parts);
+  const std::array<std::vector<BuiltInModel>, built_in_parts> parts{built_in_part<0>(), built_in_part<1>(),
+                                                                    built_in_part<2>(), built_in_part<3>()};
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
   std::vector<BuiltInModel> models;
-  for (std::size_t i = 0; i < parts[i % built_in_parts].size() * built_in_parts; ++i) {
-    models.push_back(parts[i % built_in_parts][i / built_in_parts]);
-    if (i + 1 == parts[0].size() + parts[1].size() + parts[2].size() + parts[3].size()) break;
-  }
+  for (std::size_t i = 0; i < count; ++i) models.push_back(parts[i % built_in_parts][i / built_in_parts]);
   return models;
 }
 
